@@ -31,7 +31,7 @@
 
 enum { SHAPES = 400, SMALL = 6 };
 
-static char path[64]; /* of a file that may be written */
+static const char path[] = "file"; /* in a folder of the test's own */
 
 /* ---------------------------------------------------------------- tests -- */
 
@@ -151,7 +151,6 @@ static int write_few(void *context, const void *data, size_t n)
 
 TEST(a_failure_has_its_status_and_errno)
 {
-    char missing[96];
     cylint_scene_status status = CYLINT_SCENE_OK;
     OWN_SHAPES of = scene_generate(SCENE_FAT, SMALL, 3);
     OWN_SCENE *scene = cylint_scene_begin(0);
@@ -165,18 +164,10 @@ TEST(a_failure_has_its_status_and_errno)
         CHECK(cylint_scene_write(scene, write_few, &more) ==
               CYLINT_SCENE_ESTOPPED);
     }
-    snprintf(missing, sizeof missing, "%s.d/x", path);
     errno = 0;
-    CHECK(cylint_scene_save(scene, missing) == CYLINT_SCENE_EFILE &&
+    CHECK(cylint_scene_save(scene, "missing/x") == CYLINT_SCENE_EFILE &&
           errno == ENOENT);
 #ifdef HAS_PROCESSES
-    /* a folder cannot be replaced by a file */
-    snprintf(missing, sizeof missing, "%s.d", path);
-    CHECK(mkdir(missing, 0700) == 0);
-    CHECK(cylint_scene_save(scene, missing) == CYLINT_SCENE_EFILE);
-    CHECK(rmdir(missing) == 0);
-    snprintf(missing, sizeof missing, "%s.d.%ld.new", path, (long)getpid());
-    CHECK(access(missing, F_OK) != 0);
     CHECK(!cylint_scene_open("/", 0, &status) && status == CYLINT_SCENE_EFILE);
     /* a full disk: what is buffered fails at the end */
     for (size_t n = 1; n <= SHAPES && access("/dev/full", W_OK) == 0;
@@ -192,10 +183,15 @@ TEST(a_failure_has_its_status_and_errno)
 
 #ifdef HAS_PROCESSES
 
+/* Whether a command for a shell succeeds; in it $PPID is this process. */
+static int shell(const char *command)
+{
+    return system(command) == 0;
+}
+
 /* The new file may not have more than 4096 bytes. */
 TEST(a_failure_leaves_the_old_file)
 {
-    char beside[96];
     struct rlimit usual;
     OWN_SHAPES of = scene_generate(SCENE_FAT, SHAPES, 3);
     OWN_SCENE *old = cylint_scene_new(of.shapes, 3, 1, NULL);
@@ -209,58 +205,49 @@ TEST(a_failure_leaves_the_old_file)
           errno == EFBIG);
     CHECK(setrlimit(RLIMIT_FSIZE, &usual) == 0);
     signal(SIGXFSZ, SIG_DFL);
-    snprintf(beside, sizeof beside, "%s.%ld.new", path, (long)getpid());
-    CHECK(access(beside, F_OK) != 0);
+    CHECK(shell("test ! -e file.$PPID.new"));
     OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
     CHECK(opened && differences(old, opened, &of, 5) == 0);
     remove(path);
 }
 
-/* A link of this name would lead the writer to another file. */
-TEST(a_file_beside_the_new_one_is_not_written)
-{
-    char beside[96], target[96];
-    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
-    snprintf(beside, sizeof beside, "%s.%ld.new", path, (long)getpid());
-    snprintf(target, sizeof target, "%s.target", path);
-    CHECK(symlink(target, beside) == 0);
-    CHECK(cylint_scene_save(empty, path) == CYLINT_SCENE_OK);
-    CHECK(access(target, F_OK) != 0 && access(path, F_OK) == 0);
-    CHECK(remove(beside) == 0 && remove(path) == 0);
-}
+/* Commands before and after a scene is saved to a file of this name. */
+static char longest_name[256];
+static const struct {
+    const char *before, *name, *after;
+    cylint_scene_status status;
+} saves[] = {
+    /* a link of the new file's name would lead the writer to another file */
+    {"ln -s target file.$PPID.new", "file", "test ! -e target && test -s file",
+     CYLINT_SCENE_OK},
+    /* where a link leads, the old file stays until it is replaced */
+    {"echo old >file; ln file file.old; ln -s file link", "link",
+     "test -h link && test -s file && grep -q old file.old", CYLINT_SCENE_OK},
+    {"ln -s file link", "link", "test -h link && test -s file",
+     CYLINT_SCENE_OK},
+    /* the permissions of the old file, whatever the umask */
+    {"touch file; chmod 600 file", "file", "find file -perm 600 | grep -q f",
+     CYLINT_SCENE_OK},
+    {"touch file; chmod 666 file", "file", "find file -perm 666 | grep -q f",
+     CYLINT_SCENE_OK},
+    {"touch file; chmod 755 file", "file", "find file -perm 755 | grep -q f",
+     CYLINT_SCENE_OK},
+    {"touch $(printf %0255d 0)", longest_name, "test -s $(printf %0255d 0)",
+     CYLINT_SCENE_OK},
+    /* a folder cannot be replaced by a file */
+    {"mkdir file", "file", "test ! -e file.$PPID.new && rmdir file",
+     CYLINT_SCENE_EFILE}};
 
-TEST(a_link_stays_a_link)
+TEST(a_file_takes_the_place_of_the_old_one)
 {
-    char link[96];
-    struct stat about;
     OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
-    snprintf(link, sizeof link, "%s.link", path);
-    CHECK(cylint_scene_save(empty, path) == CYLINT_SCENE_OK &&
-          truncate(path, 0) == 0);
-    CHECK(symlink(strrchr(path, '/') + 1, link) == 0);
-    CHECK(cylint_scene_save(empty, link) == CYLINT_SCENE_OK);
-    CHECK(lstat(link, &about) == 0 && S_ISLNK(about.st_mode));
-    OWN_SCENE *opened = cylint_scene_open(path, 0, NULL);
-    CHECK(opened && remove(path) == 0);
-    CHECK(cylint_scene_save(empty, link) == CYLINT_SCENE_OK);
-    CHECK(lstat(link, &about) == 0 && S_ISLNK(about.st_mode));
-    OWN_SCENE *created = cylint_scene_open(path, 0, NULL);
-    CHECK(created && remove(link) == 0 && remove(path) == 0);
-}
-
-/* Whatever the umask. */
-TEST(the_permissions_of_an_old_file_are_kept)
-{
-    static const mode_t modes[] = {0600, 0640, 0666, 0755};
-    struct stat about;
-    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
-    CHECK(cylint_scene_save(empty, path) == CYLINT_SCENE_OK);
-    for (int i = 0; i < 4; i++) {
-        CHECK(chmod(path, modes[i]) == 0);
-        CHECK(cylint_scene_save(empty, path) == CYLINT_SCENE_OK);
-        CHECK(stat(path, &about) == 0 && (about.st_mode & 07777) == modes[i]);
-    }
-    CHECK(remove(path) == 0);
+    snprintf(longest_name, sizeof longest_name, "%0255d", 0);
+    for (size_t i = 0; i < sizeof saves / sizeof *saves; i++)
+        if (!CHECK(shell(saves[i].before) &&
+                   cylint_scene_save(empty, saves[i].name) == saves[i].status &&
+                   shell(saves[i].after) && shell("rm -rf file* link 00*")))
+            REPORT("%s; save %s; %s", saves[i].before, saves[i].name,
+                   saves[i].after);
 }
 
 /* As /dev/stdout, if that is a temporary file that has no name. */
@@ -277,20 +264,6 @@ TEST(a_link_to_a_removed_file_is_written_through)
         CHECK(cylint_scene_save(empty, name) == CYLINT_SCENE_OK &&
               fstat(fileno(file), &about) == 0 && about.st_size == 512);
     fclose(file);
-}
-
-TEST(a_name_of_255_bytes_is_saved)
-{
-    char folder[64], here[1024], name[256];
-    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
-    snprintf(folder, sizeof folder, "%.*s", (int)(strrchr(path, '/') - path),
-             path);
-    snprintf(name, sizeof name, "%0255ld", (long)getpid());
-    if (!CHECK(getcwd(here, sizeof here) && chdir(folder) == 0))
-        return;
-    CHECK(cylint_scene_save(empty, name) == CYLINT_SCENE_OK);
-    CHECK(cylint_scene_save(empty, name) == CYLINT_SCENE_OK);
-    CHECK(remove(name) == 0 && chdir(here) == 0);
 }
 
 /* Such a file has one reader, who must not close and open it again. */
@@ -551,12 +524,16 @@ TEST(no_changed_numbers_make_a_query_fail)
 
 int main(void)
 {
-    snprintf(path, sizeof path, "%s/scene_file.%ld",
-             getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp",
 #ifdef HAS_PROCESSES
-             (long)getpid());
+    char folder[64];
+    snprintf(folder, sizeof folder, "%s/scene_file.XXXXXX",
+             getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
+    if (!mkdtemp(folder) || chdir(folder) != 0)
+        return check_skip("no folder for temporary files");
+    const int failed = check_all();
+    rmdir(folder);
+    return failed;
 #else
-             0L);
-#endif
     return check_all();
+#endif
 }
