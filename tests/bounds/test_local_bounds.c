@@ -201,9 +201,9 @@ static void at_cell(bound_of_cell *of, double r, double more_r, double s,
 
 static void over_slopes(bound_of_cell *of, double r, double more_r)
 {
-    at_cell(of, r, more_r, 0, FIRST_SLOPE);
-    for (double s = FIRST_SLOPE; s < LAST_SLOPE; s *= STEP)
-        at_cell(of, r, more_r, s, s * STEP);
+    double more = FIRST_SLOPE;
+    for (double s = 0; s < LAST_SLOPE; s = more, more *= STEP)
+        at_cell(of, r, more_r, s, more);
 }
 
 static void over_cells(bound_of_cell *of)
@@ -320,9 +320,9 @@ static void straight_g_cell(cell *c)
 /* The same for r near 0, where the second term decides. */
 static void over_radii(bound_of_cell *of)
 {
-    at_cell(of, 0, u / 16, 0, 0);
-    for (double r = u / 16; r < 1; r *= STEP)
-        at_cell(of, r, fmin(r * STEP, 1), 0, 0);
+    double more = u / 16;
+    for (double r = 0; r < 1; r = more, more = fmin(more * STEP, 1))
+        at_cell(of, r, more, 0, 0);
 }
 
 /*
@@ -337,9 +337,8 @@ static void tapered_g_cell(cell *c)
     const double k = 1 + c->s, off = CYLINT_LOCAL_FORM / 2 * u * k;
     const double most = 2 * sqrt(2) * (1 + c->more_s);
     const double lost = sqrt(2) * fmax(Y[0].off, Y[1].off);
-    const double cells[] = {0, u * k / 64};
-    double y = cells[0], more_y = cells[1];
-    while (y < most) {
+    double more_y = u * k / 64;
+    for (double y = 0; y < most; y = more_y, more_y *= STEP) {
         number there[2] = {Y[0], Y[1]};
         cap = more_y;
         for (int i = 0; i < 2; i++)
@@ -349,8 +348,6 @@ static void tapered_g_cell(cell *c)
                 there[i].lo = 0x1p-53 * (more_y + there[i].off);
         need(G_bounds(&c->l, 1, there).off,
              2 * off * (fmax(y - lost, 0) + off) / CYLINT_LOCAL_FORM);
-        y = more_y;
-        more_y *= STEP;
     }
     cap = HUGE_VAL;
 }
@@ -462,13 +459,11 @@ static void point_C_cell(cell *c)
     const number z = at_t(c->l.z, c->l.w);
     const number rho = sum(product(c->l.slope, z), c->l.r);
     const double eP = u * (1 + c->s);
-    double least = 0, most = u / 16;
-    while (least < 1 + c->more_s) {
+    double most = u / 16;
+    for (double least = 0; least < 1 + c->more_s; least = most, most *= STEP) {
         const number x = at_most(p, most / sqrt(2)), y = at_most(rho, most);
         const number C = sum(product(y, y), sum(product(x, x), product(x, x)));
         need(C.off, 4 * eP * (least + CYLINT_LOCAL_POSITION * eP));
-        least = most;
-        most *= STEP;
     }
 }
 
@@ -477,18 +472,16 @@ static void point_C_cell(cell *c)
 static void ball_at_t(void)
 {
     line_bounds l;
-    double least = 0, most = u / 16;
+    double most = u / 16;
     load(&l, 1, 0);
     const number p = at_t(l.p[0], l.v[0]);
     const number z = at_t(top_z, l.w);
-    while (least < 1) {
+    for (double least = 0; least < 1; least = most, most *= STEP) {
         const number x = at_most(p, most), high = at_most(z, most);
         const number pp = sum(product(x, x), product(x, x));
         const number C = sum(sum(product(high, high), pp),
                              product(known(most), known(most)));
         need(C.off, 8 * u * (least + CYLINT_LOCAL_POSITION * u));
-        least = most;
-        most *= STEP;
     }
     judge(&POSITION, "of C, ball");
     need(
@@ -556,8 +549,8 @@ static void residual_cell(cell *c)
     const number rho =
         at_t(sum(circle, product(slope, plane)), product(slope, p));
     const number none = {0, x.lo, x.off}, no_rho = {0, rho.lo, rho.off};
-    double least = 0, most = u;
-    while (least < 2 + c->more_s) {
+    double most = u;
+    for (double least = 0; least < 2 + c->more_s; least = most, most *= STEP) {
         const double off = CYLINT_LOCAL_RESIDUAL * u * (1 + c->s);
         const double unit = u * (1 + c->s) *
                             (CYLINT_LOCAL_UNTRIMMED * (1 + c->s) + least + off);
@@ -566,8 +559,6 @@ static void residual_cell(cell *c)
         need(square_off(at_most(x, most), known(2 * most)), unit);
         if (c->s == 0) /* a ball */
             need(square_off(at_most(z, most), known(2 * most)), unit);
-        least = most;
-        most *= STEP;
     }
     need(x.off + 0x1p-53 * x.lo, u);
     need(z.off + 0x1p-53 * z.lo, u);
