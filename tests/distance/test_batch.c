@@ -261,7 +261,8 @@ TEST(batches_of_all_families_answer_as_single_questions)
     }
 }
 
-/* Longer than two blocks; shapes of all kinds and refused ones side by side. */
+/* Longer than two blocks; shapes of all kinds and refused ones side by side.  Every
+ * column can be wanted alone. */
 TEST(mixed_batches_answer_as_single_questions)
 {
     EACH_KERNELS(k) {
@@ -274,6 +275,12 @@ TEST(mixed_batches_answer_as_single_questions)
         check_batch(MOST, CYLINT_POINT_BLOCK + 1, &usual);
         for (size_t one = 0; one < 10; one++)
             check_batch(one, CYLINT_POINT_BLOCK + 1, &usual);
+        for (int c = 0; c <= COLUMNS; c++) { /* one column, or none */
+            const struct layout at = {0, 1, c < COLUMNS ? 1u << c : 0, 0};
+            check_batch(MOST, MOST, &at);
+            for (size_t one = 0; one < 20; one++)
+                check_batch(one, 40, &at);
+        }
     }
 }
 
@@ -289,35 +296,6 @@ TEST(batches_of_all_lengths_serve_all_addresses)
                 check_batch(i % 4 < 2 ? 3 : 10, n, &at);
             }
     }
-}
-
-/* Of a shape with both caps, which lanes serve, and of one with one cap, whose
- * questions are answered one by one. */
-TEST(every_column_can_be_wanted_alone)
-{
-    struct family_case c;
-    uint64_t index = 0;
-    do {
-        family_case(41, 0, index++, &c);
-        c.ends = CYLINT_ENDS_CAPPED;
-        family_make(&c);
-    } while (!cylint_lane_class(&c.shape));
-    for (int k = 0; k <= COLUMNS; k++)
-        for (int one = 0; one < 2; one++) {
-            const struct layout at = {0, k % 2, k < COLUMNS ? 1u << k : 0, 0};
-            c.ends = one ? CYLINT_ENDS_CAP0 : CYLINT_ENDS_CAPPED;
-            family_make(&c);
-            draw_points_about(&c, 60, 5);
-            check_batch(0, 60, &at);
-            check_batch(MOST, 60, &at);
-            for (int i = 0; i < 60; i++) /* points that lanes decide */
-                for (int j = 0; j < 3; j++)
-                    place_of_case[i][j] =
-                        cylint_top(&c.shape)[j] +
-                        ldexp(7 + i, j - 2) * cylint_height(&c.shape);
-            check_batch(0, 60, &at);
-            check_batch(MOST, 60, &at);
-        }
 }
 
 /* The single calls are made in the same environment.  Sides are those of the
