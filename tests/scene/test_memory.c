@@ -360,4 +360,56 @@ TEST(many_lines_need_no_memory_and_no_threads)
         check_refused_threads(scene, &lines, most, expected);
 }
 
+/* Six calls for n lines or points of 0, of which the lines are invalid, and one that
+ * makes a scene of n refused shapes.  Returns the number of threads that work. */
+enum { CALLS = 7, MOST_LINES = 66 * 1024 };
+
+static size_t threads_of(int call, size_t n)
+{
+    static const double zero[MOST_LINES];
+    static size_t numbers[MOST_LINES];
+    static signed char any[MOST_LINES];
+    static double sums[MOST_LINES];
+    static cylint_shape refused[2 * 4096];
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+    const cylint_lines lines = {
+        .n = n, .o = {zero, zero, zero}, .d = {zero, zero, zero}};
+    const cylint_points points = {n, {zero, zero, zero}};
+    cylint_piece_rows rows;
+    OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
+    threads_started = 0;
+    if (call == 0)
+        cylint_scene_nearest_lines(empty, &lines, NULL, 99, numbers, NULL);
+    else if (call == 1)
+        cylint_scene_any_lines(empty, &lines, NULL, 99, any);
+    else if (call == 2)
+        cylint_scene_count_lines(empty, &lines, 0, 99, numbers);
+    else if (call == 3)
+        cylint_scene_closest_points(empty, &points, NULL, 99, numbers, NULL);
+    else if (call == 4)
+        cylint_scene_sums(empty, &lines, &rule, NULL, 1, 0, 99, sums);
+    else if (call == 5 && cylint_scene_pieces_lines(empty, &lines, &rule, 0, 99,
+                                                    &rows) == CYLINT_SCENE_OK)
+        cylint_piece_rows_free(&rows);
+    else if (call == 6)
+        cylint_scene_free(cylint_scene_new(refused, n, 99, NULL));
+    return (size_t)threads_started + 1;
+}
+
+/* As many as the manual permits. */
+TEST(threads_have_at_least_so_many_lines_points_or_shapes)
+{
+    static const size_t least[CALLS] = {1024, 1024, 1024, 1024, 256, 256, 4096};
+    static const size_t threads[] = {2, 3, 64, 65};
+    for (int call = 0; call < CALLS && has_threads; call++)
+        for (size_t k = 0; k < (call < 6 ? 4 : 1); k++) {
+            const size_t most = threads[k], n = most * least[call];
+            const size_t enough = threads_of(call, n),
+                         less = threads_of(call, n - 1);
+            if (!CHECK(enough == (most < 64 ? most : 64) && less == most - 1))
+                REPORT("call %d: %zu threads for %zu, %zu for one less", call,
+                       enough, n, less);
+        }
+}
+
 #endif
