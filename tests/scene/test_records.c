@@ -131,8 +131,9 @@ TEST(calls_for_a_scene_in_another_state_are_refused)
     OWN_BYTES b = {NULL, NULL, 0};
     OWN_SCENE *scene = cylint_scene_begin(1);
     CHECK(cylint_scene_add(scene, NULL, 0) == CYLINT_SCENE_OK);
-    CHECK(cylint_scene_add(scene, &shape, (size_t)-1) == CYLINT_SCENE_ESIZE);
     CHECK(cylint_scene_add(scene, &shape, 1) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_add(scene, &shape, (size_t)-1) == CYLINT_SCENE_ESIZE);
+    CHECK(cylint_scene_add(scene, &shape, 1 << 28) == CYLINT_SCENE_ESIZE);
     CHECK(cylint_scene_refit(scene, 0, 1, &shape) == CYLINT_SCENE_EUNFINISHED);
     CHECK(cylint_scene_set_solids(scene, &member, 1) ==
           CYLINT_SCENE_EUNFINISHED);

@@ -251,12 +251,13 @@ TEST(workspaces_of_every_size_are_kept)
     }
 }
 
-/* A row of spheres and half-spaces are one solid. */
-TEST(each_half_space_of_a_solid_takes_memory_once)
+/* The line has a chord in each of a row of spheres and half-spaces, which then are one
+ * solid. */
+TEST(chords_take_so_many_bytes_and_half_spaces_of_a_solid_once)
 {
     enum { BALLS = 100, PLANES = 8, N = BALLS + PLANES };
     static unsigned char memory[160 * BALLS + 256 * PLANES];
-    cylint_workspace work = {memory, sizeof memory, 0};
+    cylint_workspace work = {memory, 48 * N, 0};
     cylint_member members[N];
     cylint_shape shape[N];
     cylint_piece piece[BALLS];
@@ -271,7 +272,9 @@ TEST(each_half_space_of_a_solid_takes_memory_once)
         members[i] = (cylint_member){(size_t)i, 0, plane < 0 ? 1 : 2 + plane};
     }
     OWN_SCENE *scene = cylint_scene_new(shape, N, 1, NULL);
+    CHECK(cylint_scene_pieces(scene, &along, &rule, piece, BALLS, &work) == 1);
     CHECK(cylint_scene_set_solids(scene, members, N) == CYLINT_SCENE_OK);
+    work.bytes = sizeof memory;
     CHECK(cylint_scene_pieces(scene, &along, &rule, piece, BALLS, &work) ==
           BALLS);
 }
