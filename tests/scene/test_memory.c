@@ -14,6 +14,7 @@
 #ifndef WRAPPED
 #define CHECK_OWN_MAIN
 #endif
+#include "answers.h"
 #include "check.h"
 #include "cylint_scene.h"
 #include "scene_file.h"
@@ -157,9 +158,11 @@ TEST(an_opened_scene_frees_all_memory)
     CHECK(refuse_opening(scene) >= 4);
 }
 
-/* The same failure again and again changes nothing; then the shapes move. */
+/* The same failure again and again changes nothing; then the shapes move, with 32 bytes
+ * for each of them, and one thread. */
 TEST(a_refused_refit_changes_nothing)
 {
+    const int threads = threads_started;
     static cylint_shape shapes[SHAPES];
     cylint_line line;
     cylint_hit hit;
@@ -176,10 +179,11 @@ TEST(a_refused_refit_changes_nothing)
         CHECK(cylint_scene_refit(scene, 0, SHAPES, shapes) ==
               (k < 3 ? CYLINT_SCENE_EMEMORY : CYLINT_SCENE_OK));
         heap.unwatched = 1;
-        CHECK(heap.held == 0);
+        CHECK(heap.held == 0 && heap.bytes <= 32 * SHAPES);
         CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) ==
               (k < 3 ? 3 : SHAPES));
     }
+    CHECK(threads_started == threads);
 }
 
 /* -------------------------------------------------------------- solids -- */
@@ -299,6 +303,32 @@ TEST(refused_pieces_free_all_memory)
         CHECK(c.found == expected[c.query]);
         /* of sums: all blocks, and the workspace and the pieces of one */
         CHECK(c.query == 0 || heap.most <= 3);
+    }
+}
+
+TEST(queries_of_a_line_or_point_need_no_memory)
+{
+    static struct line_answers of_line;
+    static struct point_answers of_point;
+    static double memory[1 << 14];
+    cylint_workspace work = {memory, sizeof memory, 0};
+    OWN_SHAPES of = scene_generate(SCENE_UNBOUNDED, SHAPES, 5);
+    OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
+    for (uint64_t i = 0; i < 100; i++) {
+        cylint_line line;
+        cylint_hit hit;
+        double point[3];
+        size_t owner;
+        scene_line(&of, (enum scene_lines)(i % LINES_KINDS), 6, i, &line);
+        point_about(&of, point);
+        watch_heap(0);
+        line_in_scene(scene, &line, &of_line);
+        point_in_scene(scene, point, 1, i % 2 ? CYLINT_SIGNED : 0, &of_point);
+        cylint_scene_contains(scene, point, 0);
+        cylint_scene_depth(scene, point, NULL, &owner, &work);
+        cylint_scene_first_boundary(scene, &line, CYLINT_WANT_ALL, &hit, &work);
+        heap.unwatched = 1;
+        CHECK(heap.requested == 0);
     }
 }
 
