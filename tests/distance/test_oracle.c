@@ -22,10 +22,9 @@
 enum { CASES = 250, ELLIPTIC = 100, POINTS = 4, STRAIN = 6, LEAN = 6 };
 
 static struct tally {
-    long n, signs, features;
+    long n;
     double distance, point, normal; /* the largest errors in ulp */
     double safety;                  /* the least ratio to the distance */
-    long above;                     /* safeties above the distance */
     long ties;                      /* of features, or of points, that round to
                                        the same distance: elliptic kinds */
 } places[PLACES];
@@ -81,7 +80,6 @@ static void check_safety(const struct family_case *c, const double p[3],
             !(safe >= 0) || signbit(safe) ||
             (isinf(safe) ? !isinf(want->distance)
                          : safe > 0 && oracle_distance_error(safe) > 0);
-        sum->above += above;
         if (far > 0 && m == 0)
             sum->safety = fmin(sum->safety, safe / far);
         if (!CHECK(!above)) {
@@ -113,8 +111,6 @@ static void check_differences(const struct family_case *c, const double p[3],
                               const struct oracle_closest *want,
                               struct differences off)
 {
-    sum->signs += off.sign;
-    sum->features += off.feature;
     sum->distance = fmax(sum->distance, off.distance);
     sum->point = fmax(sum->point, off.point);
     sum->normal = fmax(sum->normal, off.normal);
@@ -215,11 +211,9 @@ static void check_point(const struct family_case *c, const double p[3],
 
 static void print_tally(const char *name, const struct tally *t)
 {
-    printf("note: %-14s %8ld points, wrong: %ld signs, %ld features; ulp: %.4g "
-           "distance, %.4g point, %.4g normal; safety / distance from %.4g, "
-           "%ld above; %ld ties\n",
-           name, t->n, t->signs, t->features, t->distance, t->point, t->normal,
-           t->safety, t->above, t->ties);
+    printf("note: %-14s %8ld points, ulp: %.4g distance, %.4g point, %.4g "
+           "normal; safety / distance from %.4g; %ld ties\n",
+           name, t->n, t->distance, t->point, t->normal, t->safety, t->ties);
 }
 
 /* h += lean a, or h += lean (a - 2 b). */

@@ -60,13 +60,8 @@ SHORT = [("library/test_hits", {}), ("shapes/test_constructors", {}),
          ("library/test_environment", cases(5)),
          ("library/test_batch", cases(3)), ("library/test_outside", cases(50)),
          ("library/test_chord", cases(60)), ("library/test_tube", {})]
-FULL = [("library/test_intersect", {"CYLINT_CASES": "600", "CYLINT_SEED": "7"}),
-        ("numbers/test_exact", {}), ("numbers/test_turns", {}),
-        ("scene/test_paths", {}),
-        ("shapes/test_errors", {}), ("library/test_batch", {}),
-        ("library/test_outside", {}),
-        ("bounds/test_member_bounds", {}),
-        ("distance/test_batch", cases(3))]  # batches of contains
+FULL = [(test, {}) for test, few in SHORT if few] + [
+    ("scene/test_paths", {}), ("distance/test_batch", cases(3))]  # batches of contains
 DISTANCE = [("distance/test_known", cases(3)), ("bounds/test_arena", {}),
             ("bounds/test_distance_bounds", cases(400)),
             ("bounds/test_local_residuals", {}),
