@@ -211,8 +211,11 @@ TEST(needles_become_balls)
 TEST(what_is_refused_changes_nothing)
 {
     static cylint_shape shapes[SHAPES], moved[SHAPES];
-    const double o[3] = {0, 0, 0}, far[3] = {0x1p401, 0, 0}, x[3] = {1, 0, 0},
-                 y[3] = {0, 2, 0}, z[3] = {0, 0, 1};
+    const cylint_shape refused[] = {
+        shape_of("cylinder 0 0 0  1 0 0  1 ends=infinite"),
+        shape_of("ecylinder 0 0 0  1 0 0  0 2 0  0 0 1"),
+        shape_of("cylinder 0 0 0  0x1p401 0 0  1"),
+        {.kind = CYLINT_KIND_NONE}};
     cylint_line line;
     cylint_hit hit;
     fill_row(shapes, SHAPES, 1);
@@ -222,15 +225,12 @@ TEST(what_is_refused_changes_nothing)
     CHECK(cylint_scene_refit(scene, SHAPES, 0, NULL) == CYLINT_SCENE_OK);
     CHECK(cylint_scene_refit(scene, 1, SHAPES, moved) == CYLINT_SCENE_ESIZE);
     CHECK(cylint_scene_refit(scene, SIZE_MAX, 2, moved) == CYLINT_SCENE_ESIZE);
-    cylint_cylinder(&moved[40], o, x, 1, CYLINT_ENDS_INFINITE);
-    CHECK(cylint_scene_refit(scene, 0, SHAPES, moved) == CYLINT_SCENE_EREPLACE);
-    cylint_elliptic_cylinder(&moved[40], o, x, y, z, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_scene_refit(scene, 0, SHAPES, moved) == CYLINT_SCENE_EREPLACE);
-    cylint_cylinder(&moved[40], o, o, 1, CYLINT_ENDS_CAPPED); /* refused */
-    CHECK(cylint_scene_refit(scene, 0, SHAPES, moved) == CYLINT_SCENE_EREPLACE);
-    cylint_cylinder(&moved[40], o, far, 1, CYLINT_ENDS_CAPPED);
-    CHECK(cylint_scene_refit(scene, 0, SHAPES, moved) == CYLINT_SCENE_EREPLACE);
-    cylint_whole_line(&line, (double[]){3, 0.5, 0}, z);
+    for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+        moved[40] = refused[i];
+        CHECK(cylint_scene_refit(scene, 0, SHAPES, moved) ==
+              CYLINT_SCENE_EREPLACE);
+    }
+    cylint_whole_line(&line, (double[]){3, 0.5, 0}, (double[]){0, 0, 1});
     CHECK(cylint_scene_nearest(scene, &line, CYLINT_WANT_T, &hit) == 3 &&
           hit.t < 1);
     CHECK(cylint_scene_worsening(scene) == 1);
