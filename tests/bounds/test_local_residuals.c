@@ -117,8 +117,8 @@ static void add_three(level_number *sum, level_number x)
         add(sum, x);
 }
 
-/* Three roundings of the terms of c; the products of b and c, and of two c, are left
- * out. */
+/* Three roundings of the terms of c; the products of b and c, and of two c, are
+ * left out. */
 static level_number product_of(level_number x, level_number y)
 {
     level_number xy = {0, 0, 0, 0};
@@ -188,7 +188,8 @@ static void add_square(level_number *Q, level_number x)
     Q->off += xx.off;
 }
 
-/* In units of |t| D + Q, |w| = 1.  The radius of an acone is in multiples of |w|. */
+/* In units of |t| D + Q, |w| = 1.  The radius of an acone is in multiples of
+ * |w|. */
 static void circular_levels(double s, double more_s, int is_acone)
 {
     const level_number F = within(distance_from_point(1), 1);

@@ -318,8 +318,8 @@ TEST(pairs_leave_the_point_on_a_ball_of_a_tiny_radius)
           CYLINT_WANT_POINT);
 }
 
-/* Whether the members that are wanted are those of all, and others keep their bytes.
- * Without a surface the part is written always, and never a point. */
+/* Whether the members that are wanted are those of all, and others keep their
+ * bytes.  Without a surface the part is written always, and never a point. */
 static int has_wanted(const cylint_shape *s, const double p[3], unsigned want,
                       const cylint_closest *all)
 {

@@ -2,9 +2,9 @@
  * test_exact.c - exact arithmetic against MPFR, its memory, and scaling; pairs and
  * their error bounds
  *
- * error_free_template.h is compiled twice, with products by Dekker's splitting and by
- * fused multiply-add; both must give the same bits.  CYLINT_CASES is the number of
- * cases of most tests; others take a share of it.
+ * error_free_template.h is compiled twice, with products by Dekker's splitting and
+ * by fused multiply-add; both must give the same bits.  CYLINT_CASES is the number
+ * of cases of most tests; others take a share of it.
  */
 #include <float.h>
 #include <gmp.h> /* before mpfr.h */
@@ -371,7 +371,8 @@ static pair product_in_mode(pair a, pair b, int mode)
     return fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
-/* The errors of operations on a and b, relative to the sizes of their high parts. */
+/* The errors of operations on a and b, relative to the sizes of their high
+ * parts. */
 static void measure_errors(pair a, pair b, int mode, double error[OPERATIONS])
 {
     const pair size = a.hi < 0 ? pair_neg(a) : a;

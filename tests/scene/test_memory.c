@@ -158,8 +158,8 @@ TEST(an_opened_scene_frees_all_memory)
     CHECK(refuse_opening(scene) >= 4);
 }
 
-/* The same failure again and again changes nothing; then the shapes move, with 32 bytes
- * for each of them, and one thread. */
+/* The same failure again and again changes nothing; then the shapes move, with 32
+ * bytes for each of them, and one thread. */
 TEST(a_refused_refit_changes_nothing)
 {
     const int threads = threads_started;
@@ -390,8 +390,9 @@ TEST(many_lines_need_no_memory_and_no_threads)
         check_refused_threads(scene, &lines, most, expected);
 }
 
-/* Six calls for n lines or points of 0, of which the lines are invalid, and one that
- * makes a scene of n refused shapes.  Returns the number of threads that work. */
+/* Six calls for n lines or points of 0, of which the lines are invalid, and one
+ * that makes a scene of n refused shapes.  Returns the number of threads that
+ * work. */
 enum { CALLS = 7, MOST_LINES = 66 * 1024 };
 
 static size_t threads_of(int call, size_t n)

@@ -74,8 +74,8 @@ typedef struct {
 } boundary;
 
 /* Whether the line enters or leaves the solid of this number by shape i at the
- * boundary; a touch is neither.  Then writes the hit; that of a complement has the other
- * side and the opposite normal. */
+ * boundary; a touch is neither.  Then writes the hit; that of a complement has the
+ * other side and the opposite normal. */
 static int is_surface(size_t i, size_t owner, boundary *b, cylint_hit *hit)
 {
     int is_part[2] = {!is_member(i) && i == owner, 0}; /* as a complement */

@@ -62,8 +62,8 @@ static void check_line(const struct scene_shapes *of, const cylint_scene *scene,
 
 static double distance[2][LISTED];
 
-/* Also with some of the members; the others keep their bytes.  Sometimes the function
- * for arrays of shapes answers, too. */
+/* Also with some of the members; the others keep their bytes.  Sometimes the
+ * function for arrays of shapes answers, too. */
 static void check_radius(const struct scene_shapes *of,
                          const cylint_scene *scene, const double point[3],
                          double radius, unsigned want)

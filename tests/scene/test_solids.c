@@ -251,8 +251,8 @@ TEST(workspaces_of_every_size_are_kept)
     }
 }
 
-/* The line has a chord in each of a row of spheres and half-spaces, which then are one
- * solid. */
+/* The line has a chord in each of a row of spheres and half-spaces, which then are
+ * one solid. */
 TEST(chords_take_so_many_bytes_and_half_spaces_of_a_solid_once)
 {
     enum { BALLS = 100, PLANES = 8, N = BALLS + PLANES };
