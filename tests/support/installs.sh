@@ -5,14 +5,6 @@ cxx=${CXX:-c++}
 make=${MAKE:-make}
 version=$(sed -n 's/^#define CYLINT_VERSION "\(.*\)"/\1/p' include/cylint.h)
 
-# make_here ARGUMENT...: make with the same build folder and compilers, so
-# nothing is compiled again.
-make_here()
-{
-    quiet $make --no-print-directory BUILD="${BUILD:-build}" CC="$cc" CXX="$cxx" \
-        ${CXX17+CXX17="$CXX17"} "$@"
-}
-
 # block LANGUAGE NUMBER: the text of a fenced block of README.md.
 block()
 {
