@@ -348,27 +348,6 @@ TEST(five_threads_make_a_geometry_that_answers_the_same)
     CHECK(world_memory.bytes == bytes);
 }
 
-/* The shapes stand side by side, 2 high.  A ray along the axis from below and one
- * from above. */
-TEST(u_is_z_below_0_and_above_1_on_round_ends)
-{
-    static const float expected[4][2] = {
-        {-0.1f, 1.1f}, {-0.1f, 1.05f}, {0, 1}, {0, 0}};
-    const cylint_shape shapes[4] = {shape_of("capsule 0 0 0  0 0 2  0.2"),
-                                    shape_of("rcone 1 0 0 0.2  1 0 2 0.1"),
-                                    shape_of("cylinder 2 0 0  2 0 2  0.2"),
-                                    shape_of("sphere 3 0 0  0.2")};
-    EACH_WAY(w, shapes, 4) {
-        EACH_SIZE(n)
-            for (int i = 0; i < 8; i++) {
-                const float o[3] = {(float)(i / 2), 0, i % 2 ? 9 : -9};
-                const float d[3] = {0, 0, -o[2]};
-                struct rays r = traced(&w, n, o, d, 0, HUGE_VALF);
-                CHECK(rays_at(&r, HIT_U, n - 1)->f == expected[i / 2][i % 2]);
-            }
-    }
-}
-
 /* An axis along a coordinate, and one of which two coordinates nearly are equal. */
 TEST(answers_do_not_depend_on_the_rounding_mode)
 {
