@@ -1,10 +1,7 @@
-"""Molecules, trees, `python -m libcylint convert`, and the recipes that use them."""
+"""Molecules and trees.  convert.txt has `python -m libcylint convert`."""
 
 import gzip
-import io
-import os
 import re
-import subprocess
 import sys
 import warnings
 from pathlib import Path
@@ -13,7 +10,6 @@ import numpy as np
 import pytest
 
 import libcylint as cylint
-from libcylint import __main__
 
 TOP = Path(__file__).parents[2]
 DATA = TOP.parent / "shared" / "data"
@@ -165,17 +161,16 @@ def test_atoms_may_be_far_from_all_others(molecule):
         assert len(molecule(CHAIN + atom(9, " C", far, far, far, "C"))) == 5
 
 
-def test_a_compressed_file_is_read(tmp_path, convert):
+def test_a_compressed_file_is_read(tmp_path):
     path = tmp_path / "molecule.pdb.gz"
     packed = gzip.compress(CHAIN.encode())
     path.write_bytes(packed)
     assert len(cylint.read_molecule(path)) == 5
     for broken in (packed[:40], packed[:-9], packed[:3] + b"x" + packed[4:50]):
         path.write_bytes(broken)
-        for read, kind in ((cylint.read_molecule, "pdb"), (cylint.read_qsm, "qsm")):
+        for read in (cylint.read_molecule, cylint.read_qsm):
             with pytest.raises(ValueError, match="not a whole file of gzip"):
                 read(path)
-            assert convert(kind, path)[0] == 1
 
 
 def test_a_byte_order_mark_and_old_line_ends_hide_no_atom(tmp_path):
@@ -322,198 +317,10 @@ def test_what_is_no_table_is_refused(tree, text, message):
         tree(text)
 
 
-# -------------------------------------------------------------- convert --
-
-
-@pytest.fixture
-def convert(monkeypatch, capfdbinary):
-    """Calls `python -m libcylint convert` in this process."""
-    monkeypatch.setattr(warnings, "showwarning", warnings.showwarning)
-    monkeypatch.setattr(__main__.signal, "signal", lambda *_: None)
-
-    def run(*arguments, given=b""):
-        monkeypatch.setattr(sys, "argv", ["", "convert", *map(str, arguments)])
-        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(given)))
-        try:
-            with warnings.catch_warnings():
-                status = __main__.main()
-        except SystemExit as end:
-            status = end.code
-        out, err = capfdbinary.readouterr()
-        return status, out.decode(), err.decode()
-
-    return run
-
-
-def test_convert_writes_the_scene_that_is_read(convert, tmp_path):
-    path, scene = tmp_path / "m", tmp_path / "scene"
-    path.write_text(CHAIN)
-    for kind in ("molecule", "pdb", "mmcif"):
-        status, text, said = convert(kind, "-b", "0.25", "-r", ".1", path)
-        assert (status, said) == (0, "")
-        scene.write_text(text)
-        again = cylint.read_scene(scene)
-        want = cylint.read_molecule(path, stick=0.1, ball=0.25)
-        assert (again == want).all() and again.labels.tolist() == want.labels.tolist()
-    packed = gzip.compress(CHAIN.encode())
-    assert convert("molecule", "-b", ".25", "-r", ".1", given=packed)[1] == text
-    water = CHAIN + atom(9, " O", 30, 0, 0, "O", residue="HOH A 401")
-    options = ("molecule", "-r", "0", "-b", "1")
-    assert convert(*options, given=water.encode())[1].count("\n") == 7
-    status, text, _ = convert(*options, "--no-waters", given=water.encode())
-    assert text.count("\n") == 6
-
-
-def test_convert_reads_trees(convert):
-    assert convert("qsm", "-t", given=TREEQSM.encode())[1] == (
-        "cylinder 1 2 3 1 2 5 0.5 1\ncylinder 1 2 3 1.1 2 3 0.4 2\n"
-    )
-    status, text, said = convert("qsm", "--round", given=(HEAD + POINTS).encode())
-    assert text == "capsule 1 2 3 1 2 4 0.5 7\nrcone 1 2 4 0.5 1 2 4 0.5 8\n"
-    assert said == "libcylint: -: 1 cylinder of no radius skipped\n"
-
-
-def test_convert_has_the_status_of_the_command(convert, tmp_path):
-    bad = tmp_path / "bad"
-    bad.write_text("1 1 0 0 0 2 x\n")
-    assert convert("qsm", bad)[0] == convert("pdb", bad)[0] == 1
-    for name, why in ((tmp_path / "none", "No such file or directory"), (tmp_path, "Is a directory")):
-        assert convert("molecule", name) == (3, "", f"libcylint: {name}: {why}\n")
-    for wrong in ((), ("pov",), ("pdb", "-r", "thick")):
-        status, text, said = convert(*wrong)
-        assert status == 2 and text == "" and said.startswith("usage: ")
-    for kind in ((), ("molecule",), ("qsm",)):
-        status, text, _ = convert(*kind, "--help")
-        assert status == 0 and "usage: python -m libcylint convert" in text
-    if os.path.exists("/dev/full"):
-        with open("/dev/full", "w") as full:
-            done = subprocess.run(
-                [sys.executable, "-m", "libcylint", "convert", "qsm", "-t"],
-                input=TREEQSM.encode(), stdout=full, stderr=subprocess.PIPE,
-            )
-        assert done.returncode == 3 and b"No space left" in done.stderr
-
-
-@pytest.mark.skipif(os.name != "posix", reason="needs a shell")
-def test_convert_with_closed_streams(tmp_path):
-    (tmp_path / "tree").write_text(HEAD + POINTS)
-
-    def run(redirection):
-        line = f'"{sys.executable}" -m libcylint convert qsm {redirection}'
-        done = subprocess.run(["sh", "-c", line], cwd=tmp_path, capture_output=True)
-        return done.returncode, done.stdout, done.stderr
-
-    shape = b"cylinder 1 2 3 1 2 4 0.5 7\n"  # and no message among the shapes
-    assert run("tree 2>&-") == (0, shape, b"")
-    assert b"Broken pipe" not in run("tree | true")[2]  # the reader has left
-    for name, closed in (("output", "tree >&-"), ("input", "<&-")):
-        said = f"libcylint: standard {name}: Bad file descriptor\n".encode()
-        assert run(closed) == (3, b"", said)
-
-
-# -------------------------------------------------------------- recipes --
-
-
-def display(name, page="cylint.7"):
-    """A display of a manual."""
-    done = subprocess.run(
-        ["sh", TOP / "tests/support/recipe.sh", name, page],
-        capture_output=True, text=True, check=True,
-    )
-    assert done.stdout
-    return done.stdout
-
-
-@pytest.fixture
-def recipe(tmp_path):
-    """Runs a display in a folder, with the command and this Python."""
-    command = os.environ.get("CYLINT_COMMAND")
-    if not command:
-        pytest.skip("CYLINT_COMMAND does not name the command")
-    (tmp_path / "bin").mkdir()
-    python = tmp_path / "bin" / "python"
-    python.write_text(f'#!/bin/sh\nexec "{sys.executable}" "$@"\n')
-    python.chmod(0o755)
-    path = f"{tmp_path / 'bin'}:{os.path.dirname(command)}:{os.environ['PATH']}"
-
-    def run(text):
-        done = subprocess.run(
-            ["sh", "-c", text], cwd=tmp_path, env=os.environ | {"PATH": path},
-            capture_output=True, text=True,
-        )
-        assert done.stderr == ""
-        return done.stdout
-
-    return run
-
-
-def test_the_formats_of_the_manual(recipe, tmp_path):
-    (tmp_path / "molecule.pdb").write_text(CHAIN)
-    (tmp_path / "tree.csv").write_text(HEAD + POINTS[:17])
-    recipe(display("formats").replace("pip ", ": pip "))
-    count = {
-        name: len(cylint.read_scene(tmp_path / f"{name}.scene")) for name in ("molecule", "tree")
-    }
-    assert count == {"molecule": 6 + 5, "tree": 1}
-
-
-def test_half_of_the_points_are_near_a_stem(recipe, tmp_path):
-    """Forty stems.  Each has one point 9 mm and one 45 mm in front of the bark."""
-    table, cloud = [HEAD], []
-    for n in range(40):
-        c, s = np.cos(n * 0.157), np.sin(n * 0.157)
-        r, d = 0.1 + n / 200, 10 + n
-        foot = f"{d * c:.9f},{d * s:.9f}"
-        table.append(f"{n},{r:g},{foot},250,{foot},260\n")
-        for off in (0.009, 0.045):
-            cloud.append(f"{(d - r - off) * c:.9f} {(d - r - off) * s:.9f} 255.5\n")
-    (tmp_path / "tree.csv").write_text("".join(table))
-    (tmp_path / "cloud.txt").write_text("".join(cloud))
-    assert recipe(display("lidar")) == (
-        "80 points: within 1 cm 50.0 %, 2 cm 50.0 %, 5 cm 100.0 %\n"
-        "-2 to -1 cm      0\n-1 to  0 cm      0\n 0 to  1 cm     40\n"
-        " 1 to  2 cm      0\n 2 to  3 cm      0\n 3 to  4 cm      0\n"
-        " 4 to  5 cm     40\n"
-    )
-
-
-def test_a_ray_from_an_atom_hits_the_other_bond_and_not_its_own(recipe, tmp_path):
-    """Two parallel bonds, the second 2 above the first.  Rays from the two lower
-    atoms hit the upper bond, which is 0.2 thick, and nothing else."""
-    (tmp_path / "molecule.pdb").write_text(
-        atom(1, " C", 0, 0, 0, "C", residue="GLY A   1")
-        + atom(2, " O", 1.2, 0, 0, "O", residue="GLY A   2")
-        + atom(3, " C", 0, 0, 2, "C", residue="GLY A   3")
-        + atom(4, " O", 1.2, 0, 2, "O", residue="GLY A  -4")
-    )
-    bond = "A:3:GLY:C--A:-4:GLY:O\t1.8\t"
-    said = recipe(display("molecule"))
-    assert said == f"{bond}A:1:GLY:C\n{bond}A:2:GLY:O\n"
-
-
-def test_a_protein_has_the_colours_of_its_elements(recipe, tmp_path):
-    render = Path(os.environ["CYLINT_COMMAND"]).with_name("cylint-render")
-    if not render.exists():
-        pytest.skip("no cylint-render")
-    text = display("protein", "cylint-render.1")
-    text = text.replace("640x540", "64x54").replace("samples 64", "samples 1")
-    (tmp_path / "molecule.pdb").write_text(
-        atom(1, " C", 0, 0, 0, "C") + atom(2, " O", 1.5, 0, 0, "O")
-        + atom(3, " N", -1.4, 0, 0, "N")
-    )
-    recipe(text)
-    pixels = recipe(f"{render.parent}/tests/command/pixels protein.png")
-    colour = np.array([row.split()[2:5] for row in pixels.splitlines()], int)
-    assert (colour[:, 0] > 2 * colour[:, 1]).sum() > 9  # red
-    assert (colour[:, 2] > 2 * colour[:, 0]).sum() > 9  # blue
-
-
 # ------------------------------------------------------------ real files --
 
-real = pytest.mark.skipif(not DATA.exists(), reason=f"no {DATA}")
 
-
-@real
+@pytest.mark.skipif(not DATA.exists(), reason=f"no {DATA}")
 def test_a_protease_has_1922_sticks_and_1890_balls(tmp_path):
     path = DATA / "1hvr.pdb"
     shapes = cylint.read_molecule(path, ball=0.25)
@@ -522,14 +329,3 @@ def test_a_protease_has_1922_sticks_and_1890_balls(tmp_path):
     (tmp_path / "cif").write_text(twin(path.read_text()))
     again = cylint.read_molecule(tmp_path / "cif", ball=0.25)
     assert (again == shapes).all() and (again.labels == shapes.labels).all()
-
-
-@real
-def test_a_real_tree_has_the_answers_of_the_manual(recipe, tmp_path):
-    for name, file in (("tree.csv", "tree_archi.csv"), ("cloud.txt", "tree_cloud_xyz.txt")):
-        (tmp_path / name).symlink_to(DATA / file)
-    assert len(cylint.read_qsm(tmp_path / "tree.csv")) == 1231
-    for name, said in (
-        ("lidar", "lidar-said"), ("residuals", "residuals-said"), ("crown", "crown-said"),
-    ):
-        assert recipe(display(name)) == display(said)

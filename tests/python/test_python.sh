@@ -3,8 +3,9 @@
 # sources, and make finds all of them there.  A wheel is made of it elsewhere, with
 # the libraries that make has built of the same sources, and installed into the
 # environment that `make deps` makes; then pytest runs tests/python and the examples
-# of the docstrings and of tools/python/README.md.
+# of the docstrings and of tools/python/README.md, and convert.txt is run.
 . "$(dirname "$0")/../support/verdict.sh"
+. tests/support/transcripts.sh
 home=$build/python # the environment, and what is built
 python=$home/bin/python
 
@@ -75,4 +76,6 @@ verdict a_wheel_is_made_of_it_elsewhere $? || { check_end; exit; }
 quiet "$python" -m pip install --no-deps --no-index --force-reinstall "$home"/wheel/*.whl
 verdict the_wheel_is_installed $? || { check_end; exit; }
 run_pytest
+PATH=$home/bin:$PATH
+run_transcripts convert.txt < tests/python/convert.txt
 check_end
