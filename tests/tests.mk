@@ -46,6 +46,7 @@ $(BUILD)/tests/numbers/test_turns.o: extra += $(x86)
 # --wrap: calls of these functions go to __wrap_ functions of a test.
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
 $(BUILD)/tests/scene/test_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free pthread_create))
+$(BUILD)/tests/embree/test_shapes: wrapped := $(if $(WRAP),$(call wrap,rtcGetDeviceProperty rtcNewGeometry))
 
 $(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/command/pixels:
 	$(link)

@@ -329,6 +329,48 @@ TEST(impossible_motion_is_refused_by_number)
     refused(shapes, 0, moved, CYLINT_EMBREE_ESHAPE, 13);
 }
 
+#ifdef WRAPPED
+
+/* What the device does not have: the version of the adapter, or geometries. */
+static enum { NOTHING, VERSION, GEOMETRIES } lacks;
+
+ssize_t __real_rtcGetDeviceProperty(RTCDevice, enum RTCDeviceProperty);
+ssize_t __wrap_rtcGetDeviceProperty(RTCDevice, enum RTCDeviceProperty);
+RTCGeometry __real_rtcNewGeometry(RTCDevice, enum RTCGeometryType);
+RTCGeometry __wrap_rtcNewGeometry(RTCDevice, enum RTCGeometryType);
+
+ssize_t __wrap_rtcGetDeviceProperty(RTCDevice device,
+                                    enum RTCDeviceProperty property)
+{
+    return lacks == VERSION && property == RTC_DEVICE_PROPERTY_VERSION_MAJOR
+               ? 7 - RTC_VERSION_MAJOR
+               : __real_rtcGetDeviceProperty(device, property);
+}
+
+RTCGeometry __wrap_rtcNewGeometry(RTCDevice device, enum RTCGeometryType type)
+{
+    return lacks == GEOMETRIES ? NULL : __real_rtcNewGeometry(device, type);
+}
+
+TEST(a_device_of_another_version_or_without_geometries_has_its_status)
+{
+    static const int status[] = {CYLINT_EMBREE_OK, CYLINT_EMBREE_EVERSION,
+                                 CYLINT_EMBREE_EDEVICE};
+    const cylint_shape ball = shape_of("sphere 0 0 0  1");
+    RTCDevice device = world_device();
+    for (int i = 0; i < 3; i++) {
+        cylint_embree_problem problem = {-1, 0};
+        lacks = i;
+        RTCGeometry made =
+            cylint_embree_geometry(device, &ball, 1, NULL, &problem);
+        CHECK(problem.status == status[i] && (made != NULL) == (i == NOTHING));
+        cylint_embree_release(made);
+    }
+    lacks = NOTHING;
+}
+
+#endif
+
 /* Enough shapes for five threads to make and update the geometry. */
 TEST(five_threads_make_a_geometry_that_answers_the_same)
 {
