@@ -224,25 +224,9 @@ def test_no_reference_is_kept_or_lost():
     assert references(*watched) == before
 
 
-def read_only(array):
-    array.flags.writeable = False
-    return array
-
-
-def test_results_own_what_views_show():
-    """A view can be read-only, and what it shows not; its axes can be long."""
-    shape = (100_000, 300, 3)
-    o, d = drawn(300, 51)
-    o, start, end = o * 0.1 + 0.5, np.full(300, -50.0), np.full(300, 50.0)
-    want = cylint.intersect(ROD, o, d, start, end)
-    for view in (lambda a: read_only(a[:]), lambda a: a[::-1][::-1], memoryview):
-        given = [np.array(a, order="F") for a in (o, d, start, end)]
-        hit = cylint.intersect(ROD, *(view(a) for a in given))
-        for array in given:
-            array += 100
-        assert same(hit.point, want.point)
-    base = np.array(o)
-    wide = np.broadcast_to(base, shape)[:, :1]
+def test_results_own_the_lines_of_a_view_with_long_axes():
+    base = np.random.default_rng(51).uniform(-0.3, 0.3, (300, 3))
+    wide = np.broadcast_to(base, (100_000, 300, 3))[:, :1]
     tracemalloc.start()
     try:
         hit = cylint.Scene(ROD).nearest(wide, [0, 0, 1])
@@ -252,7 +236,7 @@ def test_results_own_what_views_show():
     assert held < 30 * wide[..., 0].size
     point = cylint.Scene(ROD).nearest(base[0], [0, 0, 1]).point
     base += 100
-    assert same(hit.point[99_999, 0], point)
+    assert same(hit.point[99_999, 0], point) and np.isfinite(point).all()
 
 
 def test_arrays_are_not_copied():
@@ -260,7 +244,9 @@ def test_arrays_are_not_copied():
     which are computed later need, unless these are read-only."""
     o = np.full((BIG, 3), 0.75)
     d = np.ones((BIG, 3))
-    fixed = read_only(o.copy()), read_only(d.copy())
+    fixed = o.copy(), d.copy()
+    for array in fixed:
+        array.flags.writeable = False
     scene = cylint.Scene(ROD)
     tracemalloc.start()
     try:

@@ -150,16 +150,32 @@ def test_every_layout_has_the_answers_of_single_questions(name):
 LATER = [name for name, ask in ALL.items() if len(ask(KINDS[0], SimpleNamespace(**given()))) > 1]
 
 
+def read_only(array):
+    view = array[:]
+    view.flags.writeable = False
+    return view
+
+
+def forth_and_back(array):
+    return array[::-1][::-1]
+
+
 @pytest.mark.parametrize("name", LATER)
 def test_answers_and_their_copies_own_what_they_need(name):
-    """Members are computed after the caller has changed its arrays."""
-    arrays = SimpleNamespace(**given())
-    asked = [ALL[name](KINDS[:, None], arrays) for _ in range(3)]
-    (want, *names), (copied, *_), (answer, *_) = asked
+    """Members are computed after the caller has changed its arrays; what a view shows
+    may change though it is read-only."""
+    arrays = given()
+
+    def asked(view):
+        views = SimpleNamespace(**{key: view(array) for key, array in arrays.items()})
+        return ALL[name](KINDS[:, None], views)
+
+    (want, *names), *others = map(asked, (np.asarray, read_only, memoryview, forth_and_back))
     right = values(want, *names)
     assert want.point is want.point
-    copies = copy.deepcopy(copied), pickle.loads(pickle.dumps(copied)), answer
-    for array in (*vars(arrays).values(), *([answer.index] if "index" in names else [])):
+    fixed, buffer, answer = (other[0] for other in others)
+    copies = fixed, buffer, copy.deepcopy(fixed), pickle.loads(pickle.dumps(buffer)), answer
+    for array in (*arrays.values(), *([answer.index] if "index" in names else [])):
         array += 100
     for again in copies:
         for member, column in zip(names, right, strict=True):
