@@ -16,6 +16,7 @@
 #include "draw.h"
 #include "environment.h"
 #include "guarded.h"
+#include "records.h"
 
 enum {
     MOST = 600,
@@ -356,6 +357,30 @@ TEST(a_pack_of_256_shapes_of_one_kind_has_its_answers)
     check_nearest_and_count(&drawn[0], drawn, 256 + BALLS, &usual);
 }
 
+static size_t n_records;
+
+static const char *take_record(const char *text, const char *known)
+{
+    if (n_records == MOST || !family_parse(text, &drawn[n_records]))
+        return NULL;
+    n_records++;
+    return known + strlen(known);
+}
+
+/* Those of test_hits.c: lines and shapes with those of the records near them. */
+TEST(known_hits_are_those_of_batches)
+{
+    n_records = 0;
+    each_record("tests/library/hits.txt", 227, take_record);
+    each_record("tests/library/hard.txt", 277, take_record);
+    check_pairs(drawn, n_records, &usual);
+    for (size_t i = 0; i + FEW <= n_records; i += FEW / 3) {
+        check_lines(&drawn[i], &drawn[i], FEW, &usual);
+        check_shapes(&drawn[i + FEW - 1], &drawn[i], FEW, &usual);
+        check_nearest_and_count(&drawn[i], &drawn[i], FEW, &usual);
+    }
+}
+
 /* A flat cone, of slope 2^12 to 2^20, and a line from afar that passes near its
  * apex: the estimate of a root may be nearer to the other one. */
 static struct family_case draw_flat_cone(void)
@@ -386,23 +411,6 @@ static struct family_case draw_flat_cone(void)
 /* In domains that end beside a hit. */
 TEST(flat_cones_from_afar_answer_as_single_questions)
 {
-    static const char *const former[] = {
-        "span -0x1.0000000000003p+19 0x1.20004p+19 -0x1.ffffap+18"
-        "  0x1.0000000000003p+0 -1.125 1  0x1.fffffffffa589p+18 0x1p+99"
-        "  cone -0 0x1.ffffffffffffep+0 1.5 0x1.7a2bf4efe9046p-5"
-        "  0 -0x1.5aad3c16c27cap+2 1.5 0x1.850bcbb1bcf82p+17  ends=nappe",
-        "span -0x1.bffffffffffffp+18 0x1.20003ffffffffp+19"
-        " -0x1.1fffcffffffffp+19  0.875 -1.125 1.125"
-        "  0x1.fffffffffe065p+18 0x1p+99  cone 0 2 1.5 0x1.fe1ee7e763004p-8"
-        "  0 -0x1.c25e99045fdbcp+2 1.5 0x1.035f46af5ba0cp+17  ends=nappe"};
-    for (int i = 0; i < FEW; i++)
-        drawn[i] = case_of(former[i % 2]);
-    check_pairs(drawn, FEW, &usual);
-    for (int i = 0; i < 2; i++) {
-        check_lines(&drawn[i], &drawn[i], 1, &usual);
-        check_shapes(&drawn[i], &drawn[i], 1, &usual);
-        check_nearest_and_count(&drawn[i], &drawn[i], 1, &usual);
-    }
     stream = check_seed() + 11;
     for (int round = 0; round < 200; round++) {
         for (int i = 0; i < FEW; i++) {
