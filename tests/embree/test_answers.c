@@ -409,32 +409,6 @@ TEST(instances_answer_for_the_transformed_ray)
     }
 }
 
-/* An application may instance scenes itself: the hit gets the ids in the
- * context.  (Both versions of Embree tested allow one level.) */
-TEST(a_hit_gets_the_instance_of_the_context)
-{
-    cylint_shape shapes[SOME];
-    struct rays_query query = {0};
-    struct world w;
-    int hits = 0;
-    world_shapes(SCENE_LATTICE, shapes, SOME);
-    w = world_with(shapes, SOME, 0);
-    query.instance = 9;
-    for (int i = 0; i < 400; i++) {
-        struct rays r;
-        aim_all(&r, rays_sizes[i % 4]);
-        rays_intersect(&r, w.scene, &query);
-        check_answers_of(&w, &r);
-        for (int k = 0; k < r.n; k++) {
-            hits += rays_hit(&r, k);
-            CHECK(rays_at(&r, HIT_INST, k)->u ==
-                  (rays_hit(&r, k) ? 9 : RTC_INVALID_GEOMETRY_ID));
-        }
-    }
-    CHECK(hits > 100);
-    world_free(&w);
-}
-
 static int offers;
 
 static void count_offer(const struct RTCFilterFunctionNArguments *args)
