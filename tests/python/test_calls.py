@@ -18,7 +18,7 @@ from conftest import ROD, drawn, equal, forest, refused, same
 
 import libcylint as cylint
 
-BIG = 500_000
+BIG = 200_000
 
 
 def test_threads_make_no_difference():
@@ -248,6 +248,7 @@ def test_arrays_are_not_copied():
     for array in fixed:
         array.flags.writeable = False
     scene = cylint.Scene(ROD)
+    scene.nearest(o[0], d[0]), cylint.intersect(ROD, o[0], d[0])  # import what they need
     tracemalloc.start()
     try:
         for ask, answer in (

@@ -10,7 +10,7 @@ from subprocess import CalledProcessError
 
 import numpy as np
 import pytest
-from conftest import forest, rays, records, refused, same
+from conftest import equal, forest, rays, records, refused, same
 
 import libcylint as cylint
 
@@ -279,7 +279,7 @@ def assert_same_answers(scene, again):
         ("closest", (o,), ("index", "distance")), ("within", (o, 0.5), ("distance",)),
     ):  # fmt: skip
         one, other = (getattr(s, query)(*arguments) for s in (scene, again))
-        assert all(same(getattr(one, m), getattr(other, m)) for m in members)
+        assert equal(one, other, *members)
     assert same(scene.count(o, d), again.count(o, d))
     assert (scene.shapes == again.shapes).all()
     assert scene.shapes.labels.tolist() == again.shapes.labels.tolist()
