@@ -29,7 +29,7 @@ static void draw_input(double radius)
 {
     uint64_t random = 5;
     for (int i = 0; i < N; i++) {
-        in.shape[i] = draw_shape(&random, in.kind, CYLINT_ENDS_CAPPED, radius);
+        in.shape[i] = draw_shape(&random, in.kind, radius);
         lean_prepare(&in.lean[i], &in.shape[i]);
     }
     cylint_pack_shapes(&in.pack, in.memory, in.shape, N);

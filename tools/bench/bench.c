@@ -305,20 +305,22 @@ void *allocate(size_t bytes)
     return memory;
 }
 
-static int run(const char *name)
+/* The number of a case, or CASES. */
+static int case_of(const char *name)
 {
-    for (int i = 0; i < CASES; i++)
-        if (!strcmp(cases[i].name, name)) {
-            const int before = rows_printed;
-            user.name = cases[i].name;
-            cases[i].run();
-            if (rows_printed == before)
-                fprintf(stderr, "bench: -o and -n leave no subject of %s\n",
-                        name);
-            return 0;
-        }
-    fprintf(stderr, "bench: no case %s\n", name);
-    return 2;
+    int i = 0;
+    while (i < CASES && strcmp(cases[i].name, name))
+        i++;
+    return i;
+}
+
+static void run(int i)
+{
+    const int before = rows_printed;
+    user.name = cases[i].name;
+    cases[i].run();
+    if (rows_printed == before)
+        fprintf(stderr, "bench: -o and -n leave no subject of %s\n", user.name);
 }
 
 /* The number of an option. */
@@ -333,7 +335,6 @@ static double number_of(const char *text)
 
 int main(int argc, char **argv)
 {
-    int status = 0;
     for (int option; (option = getopt(argc, argv, "s:n:k:o:")) != -1;) {
         require(option != '?', "options are -s -n -k -o");
         if (option == 's')
@@ -343,16 +344,18 @@ int main(int argc, char **argv)
         else
             *(option == 'k' ? &user.kernels : &user.only) = optarg;
     }
-    int at = optind;
     require(!user.kernels || cylint_use_kernels(user.kernels),
             "this processor runs no such kernels");
-    stay_on_one_core();
-    for (int i = 0; i < CASES && at == argc; i++)
+    for (int at = optind; at < argc; at++)
+        require(case_of(argv[at]) < CASES,
+                "no such CASE; without one their names are printed");
+    for (int i = 0; i < CASES && optind == argc; i++)
         printf("%-10s %s\n", cases[i].name, cases[i].text);
-    if (at < argc)
-        print_header();
-    const int has_cases = at < argc;
-    for (; at < argc && status == 0; at++)
-        status = run(argv[at]);
-    return status == 0 && has_cases && rows_printed == 0 ? NO_SUBJECT : status;
+    if (optind == argc)
+        return 0;
+    stay_on_one_core();
+    print_header();
+    for (int at = optind; at < argc; at++)
+        run(case_of(argv[at]));
+    return rows_printed > 0 ? 0 : NO_SUBJECT;
 }

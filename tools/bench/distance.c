@@ -127,7 +127,7 @@ void bench_distance(void)
             continue;
         in.random = 7;
         for (int i = 0; i < PAIRS; i++) {
-            in.shape[i] = draw_shape(&in.random, kind, CYLINT_ENDS_CAPPED, 0);
+            in.shape[i] = draw_shape(&in.random, kind, 0);
             lean_prepare_body(&in.lean[i], &in.shape[i]);
         }
         in.formula = lean_distances[kind];

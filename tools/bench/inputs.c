@@ -51,8 +51,7 @@ void draw_in_ball(uint64_t *random, double radius, double p[3])
     scale3(p, at);
 }
 
-cylint_shape draw_shape(uint64_t *random, int kind, cylint_ends ends,
-                        double ball)
+cylint_shape draw_shape(uint64_t *random, int kind, double ball)
 {
     const family_shape word = (family_shape)(kind - CYLINT_KIND_CYLINDER);
     const int is_tapered =
@@ -80,7 +79,7 @@ cylint_shape draw_shape(uint64_t *random, int kind, cylint_ends ends,
     if (family_has_points(word))
         add3(h, 1, p);
     family_set_shape(&made, word, p, a, b, h, r[0], r[is_tapered]);
-    made.ends = ends;
+    made.ends = CYLINT_ENDS_CAPPED;
     require(family_make(&made), "a shape was refused");
     return made.shape;
 }

@@ -20,10 +20,9 @@ void draw_direction(uint64_t *random, double d[3]);
 /* Even in a ball about the origin. */
 void draw_in_ball(uint64_t *random, double radius, double p[3]);
 
-/* Near the origin, about 1 long and 0.1 to 1 thick.  ball: its middle is in a ball
- * of this radius, unless that is 0. */
-cylint_shape draw_shape(uint64_t *random, int kind, cylint_ends ends,
-                        double ball);
+/* Capped, near the origin, about 1 long and 0.1 to 1 thick.  ball: its middle is in
+ * a ball of this radius, unless that is 0. */
+cylint_shape draw_shape(uint64_t *random, int kind, double ball);
 
 /* The middle of the axis; of a sphere the centre. */
 void middle_of(const cylint_shape *s, double middle[3]);

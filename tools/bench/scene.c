@@ -10,7 +10,7 @@
 #include "cylint_distance.h"
 #include "inputs.h"
 
-enum { RAYS = 4096, ROOM = 256 };
+enum { RAYS = 4096 };
 
 static struct {
     cylint_line line[RAYS];
@@ -32,12 +32,7 @@ BENCH_TURN(nearest, SCENE;
 BENCH_TURN(any, SCENE,
            cylint_scene_occluded(scene, &in.line[i], cylint_scene_size(scene)))
 BENCH_TURN(count, SCENE, cylint_scene_count(scene, &in.line[i], 0))
-BENCH_TURN(all, SCENE; size_t numbers[ROOM],
-                       cylint_scene_all(scene, &in.line[i], 0, numbers, ROOM))
 BENCH_TURN(closest, SCENE, closest_of(scene, i))
-BENCH_TURN(within, SCENE;
-           const double most = *(const double *)input,
-           cylint_scene_within_count(scene, in.line[i].o, most, 0, 0))
 
 /* ------------------------------------------------ building and files -- */
 
@@ -101,24 +96,21 @@ static void measure_building(const struct sticks *s)
 
 static void measure_queries(const struct sticks *s)
 {
-    const double half = 0.5 / cbrt((double)s->n);
-    const struct {
+    static const struct {
         const char *name;
+        draw_rays *draw;
         bench_turn *ours;
-    } questions[] = {{"nearest; random rays", nearest},
-                     {"any; random rays", any},
-                     {"count; random rays", count},
-                     {"all; random rays", all},
-                     {"closest to points", closest},
-                     {"count within half of a distance", within},
-                     {"nearest; rays of a camera", nearest}};
+    } questions[] = {{"nearest; random rays", draw_incoherent, nearest},
+                     {"any; random rays", draw_incoherent, any},
+                     {"count; random rays", draw_incoherent, count},
+                     {"closest to points", draw_incoherent, closest},
+                     {"nearest; rays of a camera", draw_coherent, nearest}};
     make_scenes(s);
     for (size_t q = 0; q < sizeof questions / sizeof *questions; q++) {
-        draw_lines(q < 6 ? draw_incoherent : draw_coherent, RAYS, in.line);
+        draw_lines(questions[q].draw, RAYS, in.line);
         compete(&(struct contest){.subject = s->name,
                                   .question = questions[q].name,
                                   .ours = questions[q].ours,
-                                  .input = &half,
                                   .questions = RAYS});
     }
     free_scenes();
