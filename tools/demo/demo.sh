@@ -45,10 +45,9 @@ started=$(now)
     > "$out/answers.txt"
 ended=$(now)
 seconds=$($awk -v a="$started" -v b="$ended" 'BEGIN { printf "%.3f", b - a }')
-sort -t "$(printf '\t')" -k 2,2n "$out/answers.txt" > "$out/by-range.txt"
 $awk -v columns=$columns -v rows=$rows -v wide=4 -v high=2 \
     -v seconds="$seconds" -f "$here/report.awk" \
-    "$out/forest.scene" "$out/answers.txt" "$out/by-range.txt"
+    "$out/forest.scene" "$out/answers.txt"
 
 # A picture in colours, if cylint-render was built.
 [ -x "$build/cylint-render" ] || exit 0

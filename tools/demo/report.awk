@@ -1,10 +1,10 @@
 # report.awk - shows a scan: some answers, the range image as text, and the totals
 #
-# Reads a scene of forest.awk, the answers of `cylint -f shape,t,part,z` with labels
-# `column row`, and the same answers sorted by t.  Prints the first hit on each part of
-# each kind of shape; then an image, whose characters show the nearest hit of wide x
-# high rays: a tree by its range, near to far in `shades`, the ground as a dot, the sky
-# as a blank.  `seconds` is the time of the command, 0 if the clock is too coarse.
+# Reads a scene of forest.awk, and the answers of `cylint -f shape,t,part,z` with labels
+# `column row`.  Prints the first hit on each part of each kind of shape; then an image,
+# whose characters show the nearest hit of wide x high rays: a tree by its range, near
+# to far in `shades`, the ground as a dot, the sky as a blank.  `seconds` is the time of
+# the command, 0 if the clock is too coarse.
 
 BEGIN {
     shades = "@#%*+=-:"
@@ -33,19 +33,15 @@ files == 2 && $1 > 0 {
     else if (!(cell in nearest_in) || $2 < nearest_in[cell])
         nearest_in[cell] = $2
     parts[$3]++
-    tree = label[$1]
-    sub(/-.*/, "", tree)
-    if (kind != "ground" && !(tree in tree_hit)) {
-        tree_hit[tree] = 1
-        trees++
-    }
+    if (hits == 1 || $2 < nearest)
+        nearest = $2
+    if ($2 > farthest)
+        farthest = $2
     if (hits == 1 || $4 > height) {
         height = $4
         tallest = label[$1]
     }
 }
-
-files == 3 && $1 > 0 { range[++n] = $2 }
 
 END {
     if (hits == 0) {
@@ -58,10 +54,8 @@ END {
     print legend()
     printf "\nrays %d, hits %d (%.1f %%), sky %d\n",
            rays, hits, 100 * hits / rays, rays - hits
-    printf "range: nearest %.3f m, median %.3f m, farthest %.3f m\n", range[1],
-           (range[int((n + 1) / 2)] + range[int(n / 2) + 1]) / 2, range[n]
+    printf "range: nearest %.3f m, farthest %.3f m\n", nearest, farthest
     printf "tallest hit: %.3f m, on %s\n", height, tallest
-    printf "trees hit: %d\n", trees
     printf "part hit: lateral %d, cap0 %d, cap1 %d\n\n",
            parts["lateral"], parts["cap0"], parts["cap1"]
     print "time: " time()
