@@ -1,5 +1,5 @@
 /*
- * picture.h - writes rows of pixels to a PNG file
+ * picture.h - computes rows of pixels, and writes them to a PNG file
  */
 #ifndef CYLINT_PICTURE_H
 #define CYLINT_PICTURE_H
