@@ -209,16 +209,6 @@ static int refuse_cycle(const struct swc *swc, size_t index)
     return complain_at(swc->scene->file, node->line, node->column, text);
 }
 
-/* The node of the cycle through `start` that stands first in the file. */
-static size_t first_of_cycle(const struct swc *swc, size_t start)
-{
-    size_t first = start;
-    for (size_t i = swc->nodes[start - 1].parent_index; i != start;
-         i = swc->nodes[i - 1].parent_index)
-        first = i < first ? i : first;
-    return first;
-}
-
 /* Follows the parents of each node to a root or to a node of an earlier path.  A
  * path that comes to a node of its own has a cycle. */
 static int refuse_cycles(const struct swc *swc)
@@ -230,7 +220,7 @@ static int refuse_cycles(const struct swc *swc)
             i = swc->nodes[i - 1].parent_index;
         }
         if (i > 0 && swc->nodes[i - 1].path_start == start)
-            return refuse_cycle(swc, first_of_cycle(swc, i));
+            return refuse_cycle(swc, i);
     }
     return 0;
 }
