@@ -19,6 +19,7 @@ struct task *task_make(struct job *job)
     if (!task)
         return NULL;
     task->job = job;
+    task->row.unit = 1;
     task->out.data = malloc(TEXT_FULL + LINE_MOST + row + 2);
     if (o->sum)
         task->row.sums = malloc(o->fields.count * sizeof *task->row.sums);

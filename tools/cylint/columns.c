@@ -10,11 +10,10 @@
 #include "numbers.h"
 
 enum type {
-    TYPE_REAL,  /* a double */
-    TYPE_WHOLE, /* a double that is a whole number */
-    TYPE_WORD,  /* an int: a word, or a whole number */
-    TYPE_CHORD, /* t1 - t0 */
-    TYPE_LENGTH,
+    TYPE_REAL,   /* a double */
+    TYPE_WHOLE,  /* a double that is a whole number */
+    TYPE_WORD,   /* an int: a word, or a whole number */
+    TYPE_LENGTH, /* t1 - t0, times the row's unit */
     TYPE_LABEL,
     TYPE_SUM /* of the group with the number of the column */
 };
@@ -131,7 +130,7 @@ static const struct column columns[] = {
          "axial coordinate, 0 at the base, 1 at the top"),
     HITS("phi", 0, TYPE_REAL, phi, NULL, CYLINT_WANT_PHI,
          "angle about the axis over 2 pi, in [0,1)"),
-    {"chord", PAIRS | ALL, TYPE_CHORD, 0, NULL, HITS_TWO, CYLINT_WANT_T,
+    {"chord", PAIRS | ALL, TYPE_LENGTH, 0, NULL, HITS_TWO, CYLINT_WANT_T,
      "t1 - t0"},
     {"shape", OF_SHAPES, TYPE_WHOLE, AT(shape), NULL, HITS_ANY, 0,
      "number of the shape in the scene, from 1; 0 for none"},
@@ -240,10 +239,9 @@ static double member_of(const struct column *c, const struct row *row)
 static double value_of(const struct column *c, size_t i, const struct row *row)
 {
     const cylint_hit *hit = row->answer.hit;
-    return c->type == TYPE_CHORD    ? hit[1].t - hit[0].t
-           : c->type == TYPE_LENGTH ? (hit[1].t - hit[0].t) * row->unit
-           : c->type == TYPE_SUM    ? row->sums[i]
-                                    : member_of(c, row);
+    return c->type == TYPE_LENGTH ? (hit[1].t - hit[0].t) * row->unit
+           : c->type == TYPE_SUM  ? row->sums[i]
+                                  : member_of(c, row);
 }
 
 static const struct column *column_at(const struct fields *fields, size_t i)

@@ -64,7 +64,7 @@ struct row {
     double record, shape, count, depth; /* whole numbers */
     double distance;                    /* of a point */
     int feature;
-    double unit;  /* the length of the line's direction */
+    double unit;  /* of pieces the length of the line's direction, else 1 */
     double *sums; /* of --sum */
     cylint_answer answer;
     struct string label; /* the shape's, if a column needs it */

@@ -443,11 +443,12 @@ static int has_late_word(struct reader r, const struct grammar *g)
     return 0;
 }
 
-/* A word for the ends without `ends=`. */
+/* A word for the ends without `ends=`, or with blanks around `=`. */
 static int has_bare_ends(struct reader r, const struct grammar *g)
 {
     if (!g->has_shape || r.has_word ||
-        find_word(WORDS(ends_words), field(&r)) == NOT_GIVEN)
+        (find_word(WORDS(ends_words), field(&r)) == NOT_GIVEN &&
+         !is_next(&r, "ends =")))
         return 0;
     refuse_field(&r, "this word has no effect in a tail");
     advise(r.notes, "ends=WORD sets the ends");
