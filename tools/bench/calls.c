@@ -68,7 +68,7 @@ static void compare_calls(const struct sticks *s)
     const int lines = (int)fmax(LINES_LEAST, fmin(LINES, 1.6e7 / n));
     in.sticks = s;
     in.memory = allocate(cylint_pack_bytes(s->n));
-    draw_lines(draw_incoherent, LINES, in.line);
+    draw_incoherent(LINES, in.line);
     const double pack = ns_of_turn(packs, 1), scene = ns_of_turn(scenes, 1),
                  shapes_line = ns_of_turn(by_shapes, lines),
                  pack_line = ns_of_turn(by_pack, lines),

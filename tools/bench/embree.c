@@ -28,7 +28,7 @@ struct world {
 };
 
 static struct {
-    float ray[RAYS][2][3];
+    cylint_line line[RAYS];
     struct world ours[KERNELS_MOST], curves;
     struct world bare[KERNELS_MOST]; /* or merged */
 } in;
@@ -147,12 +147,13 @@ static void release(struct world *w, int is_ours)
 
 static void set_ray(struct RTCRay *to, int i)
 {
-    *to = (struct RTCRay){.org_x = in.ray[i][0][0],
-                          .org_y = in.ray[i][0][1],
-                          .org_z = in.ray[i][0][2],
-                          .dir_x = in.ray[i][1][0],
-                          .dir_y = in.ray[i][1][1],
-                          .dir_z = in.ray[i][1][2],
+    const double *o = in.line[i].o, *d = in.line[i].d;
+    *to = (struct RTCRay){.org_x = (float)o[0],
+                          .org_y = (float)o[1],
+                          .org_z = (float)o[2],
+                          .dir_x = (float)d[0],
+                          .dir_y = (float)d[1],
+                          .dir_z = (float)d[2],
                           .tfar = HUGE_VALF,
                           .mask = 0xFFFFFFFFu};
 }
@@ -243,7 +244,7 @@ static void compare(const struct sticks *s)
             continue;
         snprintf(parts, sizeof parts, "%zu parts%s", parts_of(s),
                  questions[q].worlds == in.bare ? " merged" : "");
-        questions[q].draw(RAYS, in.ray);
+        questions[q].draw(RAYS, in.line);
         compete(&(struct contest){.subject = s->name,
                                   .question = questions[q].text,
                                   .setup = of == IN_PARTS ? parts : NULL,
@@ -260,7 +261,7 @@ static void compare(const struct sticks *s)
 static void print_figures(const struct sticks *s)
 {
     int wrong = 0;
-    draw_incoherent(RAYS, in.ray);
+    draw_incoherent(RAYS, in.line);
     for (int i = 0; i < RAYS; i++) {
         float t;
         wrong +=

@@ -155,16 +155,18 @@ void with_sticks(const struct stick_kind *kind, double n, int is_round,
     free(s.shapes);
 }
 
-static void set_ray(float ray[2][3], const double o[3], double d[3])
+static void set_ray(cylint_line *ray, const double o[3], double d[3])
 {
+    double from[3];
     unit3(d, d);
     for (int j = 0; j < 3; j++) {
-        ray[0][j] = (float)o[j];
-        ray[1][j] = (float)d[j];
+        from[j] = (float)o[j];
+        d[j] = (float)d[j];
     }
+    make_ray(ray, from, d);
 }
 
-void draw_incoherent(int n, float (*ray)[2][3])
+void draw_incoherent(int n, cylint_line *ray)
 {
     uint64_t random = 2;
     for (int i = 0; i < n; i++) {
@@ -172,12 +174,12 @@ void draw_incoherent(int n, float (*ray)[2][3])
         draw_direction(&random, d);
         for (int j = 0; j < 3; j++)
             o[j] = random_unit(&random);
-        set_ray(ray[i], o, d);
+        set_ray(&ray[i], o, d);
     }
 }
 
 /* The bits of a ray's number in its tile are those of y x y x. */
-void draw_coherent(int n, float (*ray)[2][3])
+void draw_coherent(int n, cylint_line *ray)
 {
     const int side = (int)sqrt(n), across = side / 4;
     for (int i = 0; i < n; i++) {
@@ -186,21 +188,8 @@ void draw_coherent(int n, float (*ray)[2][3])
         const int y = tile / across * 4 + (i >> 1 & 1) + (i >> 3 & 1) * 2;
         const double eye[3] = {0.5, 0.5, -1};
         double d[3] = {(x + 0.5) / side - 0.5, (y + 0.5) / side - 0.5, 1};
-        set_ray(ray[i], eye, d);
+        set_ray(&ray[i], eye, d);
     }
-}
-
-void draw_lines(draw_rays *draw, int n, cylint_line *line)
-{
-    float(*ray)[2][3] = allocate((size_t)n * sizeof *ray);
-    draw(n, ray);
-    for (int i = 0; i < n; i++) {
-        double end[2][3];
-        for (int j = 0; j < 6; j++)
-            end[j / 3][j % 3] = ray[i][j / 3][j % 3];
-        make_ray(&line[i], end[0], end[1]);
-    }
-    free(ray);
 }
 
 /* ---------------------------------------------------------------- scenes -- */

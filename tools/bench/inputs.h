@@ -62,12 +62,10 @@ void with_sticks(const struct stick_kind *kind, double n, int is_round,
                  size_t side, void (*measure)(const struct sticks *s));
 
 /* From random points of the cube in random directions; or from one eye in front
- * of the cube, sixteen in a tile of 4 x 4 pixels.  n: the square of a multiple
- * of 4. */
-typedef void draw_rays(int n, float (*ray)[2][3]);
+ * of the cube, sixteen in a tile of 4 x 4 pixels.  All numbers are floats.  n: the
+ * square of a multiple of 4. */
+typedef void draw_rays(int n, cylint_line *ray);
 draw_rays draw_incoherent, draw_coherent;
-/* The same as lines. */
-void draw_lines(draw_rays *draw, int n, cylint_line *line);
 
 /* A scene keeps the kernels with which it is made: makes one for each. */
 void make_scenes(const struct sticks *s);

@@ -81,7 +81,7 @@ static void compare_scene(const struct sticks *s)
     size_t hits = 0;
     in.shapes = s->shapes;
     make_scenes(s);
-    draw_lines(draw_incoherent, RAYS, in.line);
+    draw_incoherent(RAYS, in.line);
     for (int i = 0; i < RAYS; i++)
         hits += cylint_scene_count(scene_in_use(), &in.line[i], 0);
     struct contest c = {.subject = s->name,

@@ -107,7 +107,7 @@ static void measure_queries(const struct sticks *s)
                      {"nearest; rays of a camera", draw_coherent, nearest}};
     make_scenes(s);
     for (size_t q = 0; q < sizeof questions / sizeof *questions; q++) {
-        draw_lines(questions[q].draw, RAYS, in.line);
+        questions[q].draw(RAYS, in.line);
         compete(&(struct contest){.subject = s->name,
                                   .question = questions[q].name,
                                   .ours = questions[q].ours,
