@@ -303,7 +303,7 @@ def test_what_bounds_nothing_is_left_out_and_counted(tree):
          ":3: a quote has no end"),
         (HEAD + '7,1,2,3,4,5,6,"7\n8,1,2,3,4,5,6,7\n', ":2: a quote has no end"),
         (HEAD.replace(",", ";") + "7;1;2;3;4;5;6;7\n8;0,5;2;3;4;5;6;7\n",
-         ":3: could not convert string '0,5' to float64, column 2"),
+         ":3: column 2: expected a number, found '0,5'"),
         (HEAD + "# 6\n\n7,-1,2,3,4,5,6,7\n", ":4: the radius is negative"),
         (HEAD + "7,1,2,3,4,5,6,nan\n", ":2: a number is not finite"),
         ("# 1\nradius\n", ":2: the header names no column 'startx'"),

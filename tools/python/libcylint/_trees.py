@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import csv
 import os
 import re
 import warnings
-from contextlib import suppress
-from typing import Any
 
 import numpy as np
 
+from ._arguments import Doubles
 from ._files import contents
 from ._shapes import Shapes, capsule, cylinder
 
@@ -49,7 +49,7 @@ def read_qsm(
     table = _Table(os.fspath(path), treeqsm)
     ended = "endx" in table.names
     last = ["endx", "endy", "endz"] if ended else ["axisx", "axisy", "axisz", "length"]
-    numbers = table.read(["radius", "startx", "starty", "startz", *last], float)
+    numbers = table.numbers(["radius", "startx", "starty", "startz", *last])
     r, p0, p1 = numbers[:, 0], numbers[:, 1:4], numbers[:, 4:7]
     if not ended:
         with np.errstate(over="ignore"):
@@ -61,8 +61,9 @@ def read_qsm(
         if wrong.any():
             raise table.refuse(table.rows[np.argmax(wrong)][0], text)
     labels = np.arange(1, len(r) + 1).astype(str)
-    if "id" in table.names and len(r) > 0:
-        labels = np.char.strip(table.read(["id"], str)[:, 0])
+    if "id" in table.names:
+        at = table.names.index("id")
+        labels = np.array([fields[at].strip() for _, fields in table.rows], str)
     long = np.full(len(r), True) if round else (p0 != p1).any(axis=1)
     for count, lack in (((~long).sum(), "length"), ((long & (r == 0)).sum(), "radius")):
         if count > 0:
@@ -76,74 +77,63 @@ def read_qsm(
 
 
 class _Table:
-    """Rows of a file with the numbers of their lines, and the names of the columns."""
+    """Rows of fields with the numbers of their lines, and the names of the columns."""
 
     def __init__(self, name: str, treeqsm: bool) -> None:
         lines = contents(name).decode("utf-8", "surrogateescape").split("\n")
         self.name = name
-        self.rows = [
+        rows = [
             (number, line) for number, line in enumerate(lines, 1)
             if line.strip()[:1] not in ("", "#")
         ]
-        self.head, header = self.rows[0] if self.rows else (1, "")
+        self.head, header = rows[0] if rows else (1, "")
         self.separator: str | None = None
         if treeqsm:
             self.names = _TREEQSM.split()
             has_header = re.match(r'\s*"?radius', header, re.IGNORECASE) is not None
-        elif self.rows:
+        elif rows:
             self.separator = next((s for s in ";\t," if s in header), None)
             self.names = [_plain(field) for field in header.split(self.separator)]
             has_header = True
         else:
             raise ValueError(f"{name}: expected a header line, found the end of the file")
-        del self.rows[:has_header]
-        if not treeqsm:
-            self._check_widths()
+        self.rows = [(number, self._fields(number, line)) for number, line in rows[has_header:]]
+        for number, fields in self.rows:
+            if not treeqsm and any(map(str.strip, fields[len(self.names):])):
+                raise self._refuse_width(number, fields)
 
     def refuse(self, number: int, text: str) -> ValueError:
         """The error that names a line."""
         return ValueError(f"{self.name}:{number}: {text}")
 
-    def _check_widths(self) -> None:
-        for number, line in self.rows:
-            fields = re.sub('"[^"]*"', '"', line).split(self.separator)
-            if any(map(str.strip, fields[len(self.names):])):
-                raise self.refuse(
-                    number, f"expected {len(self.names)} columns, found {len(fields)}"
-                )
+    def _refuse_width(self, number: int, fields: list[str]) -> ValueError:
+        return self.refuse(number, f"expected {len(self.names)} columns, found {len(fields)}")
 
-    def _load(self, rows: list[tuple[int, str]], columns: list[str], kind: Any) -> Any:
-        with warnings.catch_warnings():  # of tables without rows
-            warnings.simplefilter("ignore")
-            return np.loadtxt(
-                [line for _, line in rows], kind, delimiter=self.separator, quotechar='"',
-                comments=None, usecols=[self.names.index(column) for column in columns],
-                ndmin=2,
-            )
+    def _fields(self, number: int, line: str) -> list[str]:
+        if self.separator is None:
+            line = " ".join(line.split())
+        fields, *others = csv.reader([line, ""], delimiter=self.separator or " ")
+        if not others:  # the empty line belongs to a text in quotes
+            raise self.refuse(number, "a quote has no end")
+        return fields
 
-    def read(self, columns: list[str], kind: Any) -> Any:
+    def numbers(self, columns: list[str]) -> Doubles:
         """These columns of all rows.  Raises ValueError for the first bad row."""
         for column in columns:
             if column not in self.names:
                 raise self.refuse(self.head, f"the header names no column {column!r}")
-        with suppress(ValueError):
-            table = self._load(self.rows, columns, kind)
-            if len(table) == len(self.rows):
-                return table
-        for row in self.rows:
-            text = "a quote has no end"  # the row after it was taken for its text
-            try:
-                self._load([row], columns, kind)
-                with suppress(ValueError):
-                    if len(self._load([row, self.rows[0]], columns, kind)) == 2:
-                        continue
-            except ValueError as error:
-                text = re.sub(r" at row \d+", "", str(error)).rstrip(".")
-                text = re.sub(
-                    r"invalid column index \d+ with (\d+) columns?",
-                    rf"expected {len(self.names)} columns, found \1", text,
-                )
-            raise self.refuse(row[0], text)
+        places = [self.names.index(column) for column in columns]
+        table = np.empty((len(self.rows), len(places)))
+        for i, (number, fields) in enumerate(self.rows):
+            if len(fields) <= max(places):
+                raise self._refuse_width(number, fields)
+            for k, at in enumerate(places):
+                try:
+                    table[i, k] = float(fields[at].replace("_", "?"))
+                except ValueError:
+                    text = f"column {at + 1}: expected a number, found {fields[at]!r}"
+                    raise self.refuse(number, text) from None
+        return table
 
 
 def _plain(field: str) -> str:
