@@ -154,13 +154,6 @@ def owned(array: Doubles) -> Doubles:
     return np.broadcast_to(once.copy(), array.shape)
 
 
-def new_copy(array: Doubles, shape: tuple[int, ...]) -> Doubles | None:
-    """Memory for a copy of vectors (..., 3) that _core makes beside its answers of
-    this shape; None if `owned` does with less."""
-    whole = array.shape[:-1] == shape and 0 not in array.strides
-    return np.empty(array.shape) if whole and not _is_fixed(array) else None
-
-
 # --------------------------------------------------------------- calls --
 
 
@@ -242,13 +235,9 @@ class Lines:
             f"origins {second} tmin tmax", o[..., 0], d[..., 0], start, end
         )
 
-    def keep(self, copies: tuple[Doubles | None, ...] = (None, None)) -> None:
-        """Lets these lines own their arrays, for members computed later: copies of
-        the origins and directions, if there are some."""
-        self.arrays = tuple(  # type: ignore[assignment]
-            owned(array) if copy is None else copy
-            for array, copy in zip(self.arrays, (*copies, None, None), strict=True)
-        )
+    def keep(self) -> None:
+        """Lets these lines own their arrays, for members computed later."""
+        self.arrays = tuple(map(owned, self.arrays))  # type: ignore[assignment]
         self.progress = None
 
     def core(self) -> _core.Lines:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._arguments import Doubles, Lines, broadcast, counted, new_copy, takes, workers
+from ._arguments import Doubles, Lines, broadcast, counted, takes, workers
 from ._described import Described, member
 from ._shapes import Shapes, checked
 
@@ -25,7 +25,7 @@ class DescribedHits(Described):
         """With numbers of shapes: the nearest hit of each line.  Without: both hits."""
         shapes, index = self._shapes
         lines, threads = self._given.core(), workers(self._given.threads)
-        _core.intersect(shapes.kind, index, lines, [None] * 6 + columns, threads, None)
+        _core.intersect(shapes.kind, index, lines, [None] * 4 + columns, threads, None)
 
     point: Doubles = member("(..., 3): the points o + t d; nan for none.", 3)
     normal: Doubles = member("(..., 3): the outward unit normals; nan for none.", 3)
@@ -144,12 +144,10 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     if kinds.ndim > 0 and kinds.shape != shape:
         shape = broadcast("shapes lines", kinds, np.broadcast_to(0, shape))
     hits = Hits(shapes, lines, shape)
-    o, d, _, _ = lines.arrays
-    copies = new_copy(o, shape), new_copy(d, shape)
     if not _core.intersect(
-        kinds, None, lines.core(), [hits.relation, hits.n, hits.t, hits.part, *copies],
+        kinds, None, lines.core(), [hits.relation, hits.n, hits.t, hits.part],
         workers(lines.threads), lines.progress,
     ):
         raise lines.refuse()
-    lines.keep(copies)
+    lines.keep()
     return hits

@@ -2,9 +2,8 @@
  * intersect.cc - lines and shapes, element by element, in batches
  *
  * If the shape does not change in a block, its lines go to
- * cylint_intersect_lines(); if the line does not change, its shapes to
- * cylint_intersect_shapes(); else both to cylint_intersect_pairs().  Exact
- * segments, shapes that are numbered, and members that batches have not go to
+ * cylint_intersect_lines(), else both to cylint_intersect_pairs().  Exact segments,
+ * shapes that are numbered, and members that batches have not go to
  * cylint_intersect() one by one.
  */
 #include "calls.h"
@@ -42,8 +41,6 @@ enum {
     N,
     T,
     PART,
-    COPIED_ORIGINS,
-    COPIED_DIRECTIONS,
     /* the members, in the order of _columns in _hits.py: first the vectors */
     POINT,
     NORMAL,
@@ -107,17 +104,11 @@ class Block
         if (source.segments || numbered || member == OUTSIDE ||
             member == INSIDE || member == SIDE)
             return answer_singly();
-        bool one_line = part->stride(SHAPES) != 0;
-        for (int array = Lines::ORIGINS; array <= Lines::ENDS; array++)
-            one_line = one_line && part->stride(array) == 0;
         const cylint_columns to = columns();
         if (part->stride(SHAPES) == 0) {
             cylint_intersect_lines(shape_of_element(0), &lines, &to);
-        } else if (pack_shapes(); one_line) {
-            Ray ray;
-            source.make(*part, 0, &ray);
-            cylint_intersect_shapes(&pack, &ray.line, &to);
         } else {
+            pack_shapes();
             cylint_intersect_pairs(&pack, &lines, &to);
         }
         return lines_valid;
@@ -272,10 +263,6 @@ class Block
                     part->write(vector[k][axis], COLUMNS + column,
                                 3 * k + axis);
         }
-        for (size_t axis = 0; axis < 3; axis++) {
-            part->write(column[axis], COLUMNS + COPIED_ORIGINS, axis);
-            part->write(column[3 + axis], COLUMNS + COPIED_DIRECTIONS, axis);
-        }
     }
 
     const Part *part = nullptr;
@@ -295,11 +282,11 @@ class Block
 };
 
 /*
- * columns: relation, n, t (..., 2), part (..., 2), copies of the origins and the
- * directions (..., 3), then at most one of the members (..., 2), vectors with one
- * axis more; None where it is not wanted.  With `index` the shapes are numbered by
- * it, -1 is a miss, and there is one hit, not two: the first.  Returns false if a
- * line is refused and not masked; the answers are then not complete.
+ * columns: relation, n, t (..., 2), part (..., 2), then at most one of the members
+ * (..., 2), vectors with one axis more; None where it is not wanted.  With `index`
+ * the shapes are numbered by it, -1 is a miss, and there is one hit, not two: the
+ * first.  Returns false if a line is refused and not masked; the answers are then
+ * not complete.
  */
 bool intersect(Input shapes, std::optional<Input> index, const Lines &lines,
                Outputs columns, int threads, const Callback &progress)
