@@ -403,7 +403,7 @@ class Scene:
                 raise ValueError(
                     f"{name}[{row}]: expected {wanted}, found {rows[row, column]}"
                 )
-        self._scene.set_solids(np.ascontiguousarray(rows, np.int64))
+        self._scene.set_solids(rows)
 
     @property
     def solids(self) -> NDArray[np.int64]:

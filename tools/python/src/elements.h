@@ -24,6 +24,9 @@ namespace nb = nanobind;
 using Input = nb::ndarray<nb::ro, nb::device::cpu>;
 using Output = nb::ndarray<nb::device::cpu>;
 using Outputs = std::vector<std::optional<Output>>; /* None: not wanted */
+/* Contiguous arrays, whose data() has this type. */
+template <class Value>
+using Array = nb::ndarray<Value, nb::c_contig, nb::device::cpu>;
 
 /* Bytes from one element of the last axis to the next. */
 inline ptrdiff_t last_step(const Input &array)

@@ -117,11 +117,11 @@ int64_t integer(size_t value)
     return static_cast<int64_t>(value);
 }
 
-using Integers = std::optional<Input>; /* int32 for each shape, contiguous */
+using Integers = std::optional<Array<const int>>; /* for each shape */
 
 const int *data_of(const Integers &given)
 {
-    return given ? static_cast<const int *>(given->data()) : nullptr;
+    return given ? given->data() : nullptr;
 }
 
 /* What a query needs beside lines or points. */

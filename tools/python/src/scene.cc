@@ -174,27 +174,25 @@ nb::object labels_of(const Scene &s)
     return all ? nb::object(list) : nb::none();
 }
 
-/* Writes the shapes with these numbers (int64, contiguous), or all shapes if
- * numbers is None.  closed: as closed solids. */
-void take(const Scene &s, std::optional<Input> numbers, Output shapes,
-          bool closed)
+/* Writes the shapes with these numbers, or all shapes if numbers is None.  closed:
+ * as closed solids. */
+void take(const Scene &s, std::optional<Array<const int64_t>> numbers,
+          Output shapes, bool closed)
 {
     auto *const shape = static_cast<cylint_shape *>(shapes.data());
-    const auto *const number =
-        numbers ? static_cast<const int64_t *>(numbers->data()) : nullptr;
     const Unlocked unlocked;
     for (size_t i = 0; i < shapes.shape(0); i++) {
-        const size_t at = number ? static_cast<size_t>(number[i]) : i;
+        const size_t at = numbers ? static_cast<size_t>(numbers->data()[i]) : i;
         cylint_scene_shape(s.get(), at, &shape[i]);
         if (closed && shape[i].ends < CYLINT_ENDS_INFINITE)
             shape[i].ends = CYLINT_ENDS_CAPPED;
     }
 }
 
-/* Members of solids: (k, 3) int64, contiguous: shape, solid, clause. */
-void set_solids(Scene &s, Input members)
+/* Members of solids: (k, 3), each a shape, a solid and a clause. */
+void set_solids(Scene &s, Array<const int64_t> members)
 {
-    const auto *const row = static_cast<const int64_t *>(members.data());
+    const int64_t *const row = members.data();
     std::vector<cylint_member> all;
     for (size_t i = 0; i < members.shape(0); i++)
         all.push_back({static_cast<size_t>(row[3 * i]),
