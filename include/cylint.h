@@ -464,6 +464,10 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * subnormal numbers are flushed to zero, it can happen if all coordinates of the
  * hit are below 2^-969 in absolute value.
  *
+ * It takes up to some 0.3 ms at the apex of a double cone and where a shape is hit
+ * from 1e16 times its size away, and up to 10 ms if exponents of the numbers differ
+ * by hundreds.
+ *
  * Let q be the point of a convex solid nearest to an outside point p: a ray
  * p + t d with d.(p - q) >= 0 misses the solid.  A ray from an inside point of
  * a capped shape hits it once; where a cap is missing, it can pass through.

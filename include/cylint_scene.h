@@ -453,12 +453,14 @@ typedef struct cylint_workspace {
  * If it returns `capacity`, more may follow: call again with line->tmin = the last
  * t1; for chords, which may overlap, with the same line and rule->after = the last.
  * The pieces are then those that one call returns.  A capacity of a few is faster:
- * the line is traversed only so far.
+ * the line is traversed only so far.  Where most chords begin before the first
+ * pieces end, it takes up to eight times as long.
  *
  * Returns CYLINT_NO_ROOM if the workspace does not suffice, and writes how many
  * bytes to try next, which is more than before.  A chord takes 48 bytes, in a
- * scene with solids about 150.  An unbounded member of a bounded solid takes at
- * most 256 with its chords, and a complement in an unbounded solid 48 besides them.
+ * scene with solids about 150, and 128 more for each further solid that its shape
+ * is a member of.  An unbounded member of a bounded solid takes at most 256 with its
+ * chords, and a complement in an unbounded solid 48 besides them.
  * A refused line has no pieces.
  */
 CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,

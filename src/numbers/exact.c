@@ -234,6 +234,16 @@ double cylint_exact_nearest(exact x, int e)
     return cylint_from_bits(x.sign < 0 ? bits | (uint64_t)1 << 63 : bits);
 }
 
+double cylint_nearest_product(double x, double y)
+{
+    cylint_arena arena;
+    cylint_arena_open(&arena);
+    return cylint_exact_nearest(cylint_exact_mul(&arena,
+                                                 cylint_exact_from(&arena, x),
+                                                 cylint_exact_from(&arena, y)),
+                                0);
+}
+
 pair cylint_exact_round(cylint_arena *arena, exact x)
 {
     const int used = arena->used;

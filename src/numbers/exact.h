@@ -101,6 +101,9 @@ static inline exact cylint_exact_of_rank(cylint_arena *arena, int64_t rank)
  * every floating-point environment.  Exported for libcylint-scene. */
 CYLINT_API double cylint_exact_nearest(exact x, int e);
 
+/* The double nearest to x y, likewise. */
+CYLINT_API double cylint_nearest_product(double x, double y);
+
 /* The same of (hi + lo) 2^e. */
 static inline double cylint_nearest_of_pair(cylint_arena *arena, pair x, int e)
 {

@@ -239,10 +239,16 @@ static double sum_of_lengths(const cylint_piece *p, size_t n)
     return cylint_sum_rounded(&sum);
 }
 
-/* Of two numbers above 0.  The thread may read the lesser one as 0. */
+/* The double nearest to the product of two numbers above 0, in every floating-point
+ * environment. */
 static double product_of_lengths(double x, double y)
 {
-    return x > DBL_MAX || y > DBL_MAX ? HUGE_VAL : x * y;
+    const double rounded = x * y;
+    if (x > DBL_MAX || y > DBL_MAX)
+        return HUGE_VAL;
+    return rounded > DBL_MIN && cylint_rounds_to_nearest()
+               ? rounded
+               : cylint_nearest_product(x, y);
 }
 
 static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,

@@ -19,17 +19,23 @@ static int is_before_in_solid(const cylint_membership *x,
 #define SORT sort_by_solid
 #include "../merge_sort_template.h"
 
-int cylint_is_other(const cylint_scene *s, size_t number)
+/* Whether the number is one of n ascending ones. */
+static int is_among(const uint32_t *numbers, size_t n, size_t number)
 {
-    size_t from = 0, to = s->n_others;
+    size_t from = 0, to = n;
     while (from < to) {
         const size_t middle = from + (to - from) / 2;
-        if (s->others[middle] < number)
+        if (numbers[middle] < number)
             from = middle + 1;
         else
             to = middle;
     }
-    return from < s->n_others && s->others[from] == number;
+    return from < n && numbers[from] == number;
+}
+
+int cylint_is_other(const cylint_scene *s, size_t number)
+{
+    return is_among(s->others, s->n_others, number);
 }
 
 /* Divides the memory of the arrays.  Without memory, only counts its bytes. */
@@ -156,20 +162,6 @@ static int is_always_tested(const cylint_solids *s, uint32_t shape)
     return is_tested;
 }
 
-/* Keeps the late members only: those that not all lines test. */
-static void choose_late(cylint_solids *s, const cylint_scene *scene)
-{
-    for (size_t i = 0; i < s->n_members; i++) {
-        const cylint_membership m = s->late[i];
-        cylint_scene_solid *solid = &s->solid[m.solid];
-        if (!cylint_is_other(scene, m.shape) || is_always_tested(s, m.shape))
-            continue;
-        if (solid->n_late++ == 0)
-            solid->first_late = (uint32_t)s->n_late;
-        s->late[s->n_late++] = m;
-    }
-}
-
 /* Lists what all lines test. */
 static void list_always(cylint_solids *s, const cylint_scene *scene)
 {
@@ -179,6 +171,21 @@ static void list_always(cylint_solids *s, const cylint_scene *scene)
     for (size_t i = 0; i < scene->n_others; i++)
         if (is_always_tested(s, scene->others[i]))
             s->always[s->n_always++] = scene->others[i];
+}
+
+/* Keeps the late members only: those that not all lines test. */
+static void choose_late(cylint_solids *s, const cylint_scene *scene)
+{
+    for (size_t i = 0; i < s->n_members; i++) {
+        const cylint_membership m = s->late[i];
+        cylint_scene_solid *solid = &s->solid[m.solid];
+        if (!cylint_is_other(scene, m.shape) ||
+            is_among(s->always, s->n_always, m.shape))
+            continue;
+        if (solid->n_late++ == 0)
+            solid->first_late = (uint32_t)s->n_late;
+        s->late[s->n_late++] = m;
+    }
 }
 
 cylint_scene_status cylint_solids_make(cylint_solids *s,
@@ -195,8 +202,8 @@ cylint_scene_status cylint_solids_make(cylint_solids *s,
     if (!have_own_numbers(s))
         return CYLINT_SCENE_ESOLID;
     list_by_shape(s, scene->n);
-    choose_late(s, scene);
     list_always(s, scene);
+    choose_late(s, scene);
     return CYLINT_SCENE_OK;
 }
 

@@ -451,6 +451,30 @@ TEST(sums_are_the_nearest_doubles_for_all_threads)
 }
 #endif
 
+/* A piece whose t is subnormal, one whose length is, and a product that is rounded. */
+TEST(a_sum_in_units_is_the_same_in_every_environment)
+{
+    static const struct {
+        const char *record;
+        double sum;
+    } known[] = {{"ray -2 0 0  0x1p1023 0 0  sphere 0 0 0  0.5", 1},
+                 {"ray 0 0 0  1 0 0  sphere 0 0 0  0x1.8p-1026", 0x1.8p-1026},
+                 {"ray 0 0 0  3 0 0  sphere 0 0 0  1", 1}};
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+    for (int i = 0; i < 3; i++) {
+        const struct family_case c = case_of(known[i].record);
+        OWN_SCENE *scene = cylint_scene_new(&c.shape, 1, 1, NULL);
+        EACH_ENVIRONMENT(there) {
+            double sum = 0;
+            environment_set(there);
+            const int status =
+                cylint_scene_line_sums(scene, &c.line, &rule, NULL, 1, 1, &sum);
+            environment_reset();
+            CHECK(status == CYLINT_SCENE_OK && same_double(sum, known[i].sum));
+        }
+    }
+}
+
 /* Of a piece from minus infinity, whose end near the largest double does not make
  * the sum finite; and of one to infinity, whose product with a length that the
  * thread reads as 0 would be NaN. */
