@@ -19,6 +19,8 @@ DOCDIR     ?= $(PREFIX)/share/doc/cylint
 BASHDIR    ?= $(PREFIX)/share/bash-completion/completions
 ZSHDIR     ?= $(PREFIX)/share/zsh/site-functions
 STRIP      ?= $(or $(shell $(CC) -print-prog-name=strip 2>/dev/null),strip)
+# Some awks read and write decimal commas where the locale has them.
+export LC_ALL := C
 
 all: ## build the libraries and the commands
 

@@ -1,6 +1,6 @@
 # autumn.awk - plants a forest in autumn: a scene for cylint-render
 #
-#   awk -v trees=48 -f autumn.awk > forest.scene
+#   LC_ALL=C awk -v trees=48 -f autumn.awk > forest.scene
 #
 # A broadleaf tree has forking branches of frusta, and leaves of thin elliptic
 # cylinders.  A spruce has a stem, whorls of drooping branches and twigs, all

@@ -4,6 +4,7 @@
 # quadratic formula in doubles from 1e7 and from 1e8 units away, and by cylint from 1e8.
 # Nothing else differs.  Needs `cylint` in the PATH, and awk.
 set -e
+export LC_ALL=C
 pixels=${1:-300}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
