@@ -51,19 +51,7 @@
 #define PAIR vqpair
 #define TWO_SUM(x, y) q_two_sum(x, y)
 #define PRODUCT_ERROR(x, y) q_product_error(x, y)
-#define ZERO q_set(0)
 #include "levels_template.h"
-
-/* x (y + y_lo), of which c y_lo is left out. */
-LEVELS_INLINE vq_levels q_product(const vq_levels *x, vq y, vq y_lo)
-{
-    vq_levels xy = {q_mul(x->a, y), q_set(0),
-                    q_sum_of(x->c, y, q_mul(x->b, y_lo))};
-    xy.b = q_product_error(x->a, y);
-    q_add_product_to_b(&xy, x->b, y);
-    q_add_product_to_b(&xy, x->a, y_lo);
-    return xy;
-}
 
 #define REAL double
 #define LEVELS levels
@@ -74,7 +62,6 @@ LEVELS_INLINE vq_levels q_product(const vq_levels *x, vq y, vq y_lo)
 #define PAIR pair
 #define TWO_SUM(x, y) two_sum(x, y)
 #define PRODUCT_ERROR(x, y) two_prod(x, y).lo
-#define ZERO 0
 #include "levels_template.h"
 
 INLINE double total(const levels *x)
@@ -112,22 +99,11 @@ INLINE levels sum_of_lanes(const vq_levels *x)
     return sum;
 }
 
-INLINE void subtract_square(levels *sum, const levels *x)
+INLINE void subtract(levels *from, levels x)
 {
-    const pair square = two_prod(x->a, x->a);
-    add_a(sum, -square.hi);
-    add_b(sum, -square.lo);
-    add_product_to_b(sum, -2 * x->a, x->b);
-    sum->c -= sum_of(2 * x->a, x->c, x->b * x->b);
-}
-
-INLINE levels levels_product(const levels *x, const levels *y)
-{
-    levels xy = {0, 0, sum_of(x->c, y->a, sum_of(x->a, y->c, x->b * y->b))};
-    add_product_to_a(&xy, x->a, y->a);
-    add_product_to_b(&xy, x->a, y->b);
-    add_product_to_b(&xy, x->b, y->a);
-    return xy;
+    add_a(from, -x.a);
+    add_b(from, -x.b);
+    from->c -= x.c;
 }
 
 /* -------------------------------------------------------- the point ----- */
@@ -164,11 +140,14 @@ INLINE vq_levels vector_from_center(const double center[3],
 }
 
 /* The axis of a circular kind in lanes 0, 1 and 2. */
-INLINE vqpair axis_of(const cylint_shape *shape)
+INLINE vq_levels axis_of(const cylint_shape *shape)
 {
+    const vq zero = q_set(0);
     if (cylint_has_tangent(shape->kind))
-        return (vqpair){q_load(cylint_axis(shape)), q_set(0)};
-    return q_two_diff(q_load(cylint_top(shape)), q_load(cylint_base(shape)));
+        return (vq_levels){q_load(cylint_axis(shape)), zero, zero};
+    const vqpair w =
+        q_two_diff(q_load(cylint_top(shape)), q_load(cylint_base(shape)));
+    return (vq_levels){w.hi, w.lo, zero};
 }
 
 /* F in lanes 0, 1 and 2.  A number follows each vector of the shape. */
@@ -183,9 +162,9 @@ INLINE vq_levels vector_from(const near_point *near, const cylint_shape *shape,
         q_add_product_to_a(&F, s, q_load(cylint_axis(shape)));
         return F;
     }
-    const vqpair w = axis_of(shape);
-    q_add_product_to_a(&F, s, w.hi);
-    q_add_product_to_b(&F, s, w.lo);
+    const vq_levels w = axis_of(shape);
+    q_add_product_to_a(&F, s, w.a);
+    q_add_product_to_b(&F, s, w.b);
     return F;
 }
 
@@ -240,34 +219,28 @@ INLINE double circular_residual(const cylint_shape *shape,
 {
     const near_point near = point_near(shape, line, t, cap);
     const vq_levels F = vector_from(&near, shape, line, t, 0);
-    const vqpair axis = axis_of(shape);
-    const vq w = axis.hi, w_lo = axis.lo;
+    const vq_levels w = axis_of(shape);
     if (cap < 0 && !tapered) {
         levels Q = surplus_in_levels(&F, cylint_r0(shape));
         const double e =
-            small_product(&F, w, w_lo) * (1 / cylint_height(shape));
+            small_product(&F, w.a, w.b) * (1 / cylint_height(shape));
         Q.c -= e * e;
         return total(&Q);
     }
-    const vq_levels Fw = q_product(&F, w, w_lo);
+    const vq_levels Fw = q_levels_product(&F, &w), ww = q_square(&w);
     const levels g = sum_of_lanes(&Fw);
     if (cap >= 0)
         return total(&g) / scale_of(shape);
-    const vq_levels W = {w, w_lo, q_set(0)}, squares = q_square(&W);
-    const levels WW = sum_of_lanes(&squares);
+    const levels WW = sum_of_lanes(&ww);
     const pair e = pair_div(total_pair(&g), total_pair(&WW));
-    const vq_levels FF = q_square(&F);
-    levels Q = sum_of_lanes(&FF);
-    const levels rho = radius_at(shape, near.s, e);
+    const levels rho = radius_at(shape, near.s, e), rho2 = square(&rho);
+    levels Q = surplus_in_levels(&F, 0);
     Q.c -= total(&g) * e.hi;
     if (!cylint_has_tangent(shape->kind)) {
-        subtract_square(&Q, &rho);
+        subtract(&Q, rho2);
         return total(&Q);
     }
-    const levels rho2 = square(&rho), outside = levels_product(&rho2, &WW);
-    add_a(&Q, -outside.a);
-    add_b(&Q, -outside.b);
-    Q.c -= outside.c;
+    subtract(&Q, levels_product(&rho2, &WW));
     return total(&Q) / scale_of(shape);
 }
 
@@ -297,7 +270,7 @@ INLINE double elliptic_residual(const cylint_shape *shape,
         const double unit = 1 / cylint_height(shape);
         rho = radius_at(shape, near.s, (pair){f_hi[2] * unit, f_lo[2] * unit});
     }
-    subtract_square(&Q, &rho);
+    subtract(&Q, square(&rho));
     return total(&Q);
 }
 
@@ -315,21 +288,18 @@ INLINE double ball_residual_in_levels(const cylint_shape *shape,
 INLINE double round_cone_residual_in_levels(const cylint_shape *shape,
                                             const cylint_line *line, double t)
 {
-    const vqpair axis = axis_of(shape);
-    const vq w = axis.hi, w_lo = axis.lo;
-    const vq_levels W = {w, w_lo, q_set(0)}, WW = q_square(&W);
     const vq_levels F = vector_from_center(cylint_base(shape), line, t);
-    const vq_levels Fw = q_product(&F, w, w_lo);
+    const vq_levels w = axis_of(shape), ww = q_square(&w);
+    const vq_levels Fw = q_levels_product(&F, &w);
     const levels surplus = surplus_in_levels(&F, cylint_r0(shape));
     const pair growth = cylint_radius_growth(shape);
     const levels dr = {growth.hi, growth.lo, 0};
-    levels lateral2 = sum_of_lanes(&WW), height = {0, 0, 0};
-    subtract_square(&lateral2, &dr);
+    levels lateral2 = sum_of_lanes(&ww), height = sum_of_lanes(&Fw);
+    subtract(&lateral2, square(&dr));
     add_product_to_a(&height, growth.hi, cylint_r0(shape));
     add_product_to_b(&height, growth.lo, cylint_r0(shape));
-    add_lanes(&height, &Fw);
     levels Q = levels_product(&surplus, &lateral2);
-    subtract_square(&Q, &height);
+    subtract(&Q, square(&height));
     const double side = cylint_height(shape) * cylint_cosine(shape);
     return total(&Q) / (side * side);
 }

@@ -12,7 +12,6 @@
  *   SUM_OF(x, y, z)           x y + z
  *   TWO_SUM(x, y)             x + y and its error
  *   PRODUCT_ERROR(x, y)       of x y
- *   ZERO
  */
 
 typedef struct {
@@ -51,10 +50,19 @@ LEVELS_INLINE void FORM(add_product_to_b)(LEVELS *sum, REAL x, REAL y)
 LEVELS_INLINE LEVELS FORM(square)(const LEVELS *x)
 {
     const REAL twice_a = ADD(x->a, x->a);
-    LEVELS xx = {MUL(x->a, x->a), ZERO, SUM_OF(twice_a, x->c, MUL(x->b, x->b))};
-    xx.b = PRODUCT_ERROR(x->a, x->a);
+    LEVELS xx = {MUL(x->a, x->a), PRODUCT_ERROR(x->a, x->a),
+                 SUM_OF(twice_a, x->c, MUL(x->b, x->b))};
     FORM(add_product_to_b)(&xx, twice_a, x->b);
     return xx;
+}
+
+LEVELS_INLINE LEVELS FORM(levels_product)(const LEVELS *x, const LEVELS *y)
+{
+    LEVELS xy = {MUL(x->a, y->a), PRODUCT_ERROR(x->a, y->a),
+                 SUM_OF(x->c, y->a, SUM_OF(x->a, y->c, MUL(x->b, y->b)))};
+    FORM(add_product_to_b)(&xy, x->a, y->b);
+    FORM(add_product_to_b)(&xy, x->b, y->a);
+    return xy;
 }
 
 #undef REAL
@@ -66,4 +74,3 @@ LEVELS_INLINE LEVELS FORM(square)(const LEVELS *x)
 #undef SUM_OF
 #undef TWO_SUM
 #undef PRODUCT_ERROR
-#undef ZERO

@@ -137,12 +137,6 @@ static level_number squared(level_number x)
     return product_of(x, x);
 }
 
-/* x (y + y_lo), |y_lo| <= 2^-53 |y| */
-static level_number times(level_number x, double y)
-{
-    return product_of(x, (level_number){y, 0x1p-53 * y, 0, 0});
-}
-
 /* A sum that is known to be at most `size`, in level a. */
 static level_number within(level_number x, double size)
 {
@@ -178,24 +172,16 @@ static level_number radius_of(double dr, double e, double e_off)
     return within(rho, 1 + dr);
 }
 
-static void add_square(level_number *Q, level_number x)
-{
-    const level_number xx = squared(x);
-    add_to_a(Q, xx.a);
-    add_to_b(Q, 0x1p-53 * xx.a);
-    add_product_to_b(Q, 2 * x.a * x.b);
-    add_to_c(Q, xx.c);
-    Q->off += xx.off;
-}
+/* The axis, |w| = 1. */
+static const level_number W = {1, 0x1p-53, 0, 0};
 
 /* In units of |t| D + Q, |w| = 1.  The radius of an acone is in multiples of
  * |w|. */
 static void circular_levels(double s, double more_s, int is_acone)
 {
     const level_number F = within(distance_from_point(1), 1);
-    const level_number W = {1, 0x1p-53, 0, 0};
     level_number g = {0, 0, 0, 0}, Q = {0, 0, 0, 0}, WW = {0, 0, 0, 0};
-    add_three(&g, times(F, 1));
+    add_three(&g, product_of(F, W));
     add_three(&WW, squared(W));
     /* e is as large as the error of s; the length in pairs has twice the error
      * of the matrix */
@@ -205,7 +191,7 @@ static void circular_levels(double s, double more_s, int is_acone)
     if (is_acone)
         add(&Q, product_of(squared(rho), within(WW, 1)));
     else
-        add_square(&Q, rho);
+        add(&Q, squared(rho));
     add_to_c(&Q, e * e);
     const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
     need(Q.off + 2 * 0x1p-53 * Q.c + 2 * e * e_off, unit * square(1 + s));
@@ -236,18 +222,17 @@ static void round_levels(void)
 {
     const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
     const level_number F = within(distance_from_point(0), 1);
-    const level_number W = {1, 0x1p-53, 0, 0};
     level_number surplus = {1, 0x1p-53, 0, 0}, rest = {0, 0, 0, 0};
     level_number height = {0, 0, 0, 0};
     add_three(&surplus, squared(F));
     need(surplus.off + 0x1p-53 * surplus.c, unit);
     add_three(&rest, squared(W));
-    add_square(&rest, W);
+    add(&rest, squared(W));
+    add_three(&height, product_of(F, W));
     add_product_to_a(&height, 1);
     add_product_to_b(&height, 0x1p-53);
-    add_three(&height, times(F, 1));
     level_number Q = product_of(within(surplus, 3), within(rest, 1));
-    add_square(&Q, within(height, 3));
+    add(&Q, squared(within(height, 3)));
     need(Q.off + 0x1p-53 * Q.c, unit);
 }
 
@@ -267,7 +252,7 @@ static void elliptic_levels(double s, double more_s)
         add_to_c(&Q, 0x1p-50 * f + f * f);
         Q.off += 2 * f_off + 4 * 0x1p-53 * Q.c + 0x1p-48 * f * f;
     }
-    add_square(&Q, radius_of(more_s, f, f_off));
+    add(&Q, squared(radius_of(more_s, f, f_off)));
     const double unit = CYLINT_LOCAL_ERROR * CYLINT_LOCAL_ERROR;
     need(Q.off + 0x1p-53 * Q.c, unit * square(1 + s));
     need(f_off, unit);
