@@ -370,11 +370,12 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
 INLINE void find_places(lane_hits *to, const local_line *l, const verdict *v,
                         int solid)
 {
-    const place first = place_at(l, v, l->limit[0], solid);
-    const place last = place_at(l, v, l->limit[1], solid);
+    place at[2];
+    for (int i = 0; i < 2; i++)
+        at[i] = place_at(l, v, l->limit[i], solid);
     EACH(k, 2) {
         const vm present = is_present(l, v, &to->at[k], k, solid);
-        const hits h = hits_of_places(&first, &last, present, k);
+        const hits h = hits_of_places(&at[0], &at[1], present, k);
         to->hit[k] = h.hit;
         to->undecided = m_or(to->undecided, h.undecided);
     }
@@ -457,8 +458,6 @@ INLINE void answer_lanes(group_questions *x, int solid, cylint_filter_group *g)
     local_line l;
     forms f;
     verdict v;
-    if (x->shape)
-        gather_shapes(&x->frame, x->shape, solid);
     g->found = g->undecided = g->hit[0] = g->hit[1] = 0;
     g->leaving_first = g->in_cap_plane = 0;
     load_first(&l, &from, solid);
@@ -570,6 +569,7 @@ static void answer_group(const cylint_filter_batch *from, const size_t *list,
     } else if (from->run) {
         for (int i = 0; i < LANES; i++)
             shape[i] = &from->shapes[list[i]];
+        gather_shapes(&x->frame, shape, from->solid);
         x->shape = shape;
     }
     x->in_use = (1u << lanes) - 1;
