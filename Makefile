@@ -116,8 +116,7 @@ $(BUILD)/tools/cylint/%: extra += $(hidden)
 # flags of FILE.c's build NAME.
 avx2   := -mavx2 -mfma -mpopcnt $(unaligned)
 avx512 := -mavx512f -mavx512vl -mavx512dq $(avx2)
-# Registers of 32 bytes cost the constructors of cones 90 ns: gcc 12 leaves their upper halves in use.
-isa.src/shapes/local-fma   := $(avx2) -mprefer-vector-width=128 -DCYLINT_MEASURE_LOCAL=cylint_measure_local_fma
+isa.src/shapes/local-fma   := $(avx2) -DCYLINT_MEASURE_LOCAL=cylint_measure_local_fma
 isa.src/signs/origin-fma   := $(avx2) -DCYLINT_SIGN_ON_LINE=cylint_sign_on_line_fma
 isa.src/filter/one-fma     := $(avx2) -DCYLINT_ONE=cylint_one_fma -DCYLINT_SIGN_ON_LINE=cylint_sign_on_line_fma
 isa.src/distance/one_distance-fma := $(avx2) -mprefer-vector-width=128 -DCYLINT_ONE_DISTANCES=cylint_one_distances_fma

@@ -41,6 +41,18 @@ static cylint_status refuse_shape(cylint_shape *shape, cylint_status why)
 
 static const double none[3] = {0, 0, 0};
 
+/* Writes x - y: the nearest doubles.  The environment is tested once for all. */
+static void write_difference(double to[3], const double x[3], const double y[3])
+{
+    int exact = cylint_rounds_to_nearest();
+    for (int i = 0; i < 3; i++) {
+        exact &= !cylint_too_small(x[i]) & !cylint_too_small(y[i]);
+        to[i] = x[i] - y[i];
+    }
+    for (int i = 0; i < 3 && !exact; i++)
+        to[i] = cylint_difference(x[i], y[i]).hi;
+}
+
 /* Writes each member of a valid shape once: to clear the struct first would cost
  * time.  p0, r0, p1, r1: as in a record (record.h); a, b: of elliptic kinds. */
 static void write_shape(cylint_shape *shape, int kind, int ends,
@@ -53,9 +65,10 @@ static void write_shape(cylint_shape *shape, int kind, int ends,
     shape->kind = kind;
     shape->ends = ends;
     copy3(x + CYLINT_AT_BASE, p0);
-    for (int i = 0; i < 3; i++)
-        x[CYLINT_AT_AXIS + i] =
-            has_end_points ? cylint_difference(p1[i], p0[i]).hi : p1[i];
+    if (has_end_points)
+        write_difference(x + CYLINT_AT_AXIS, p1, p0);
+    else
+        copy3(x + CYLINT_AT_AXIS, p1);
     copy3(x + CYLINT_AT_TOP, has_end_points ? p1 : none);
     copy3(x + CYLINT_AT_A, a);
     copy3(x + CYLINT_AT_B, b);

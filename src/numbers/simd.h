@@ -7,13 +7,12 @@
  *
  * The compiler's flags choose the instruction set.  CYLINT_ONE_LANE chooses
  * plain doubles, which are also the choice where no instruction set is
- * available.  CYLINT_FOUR_LANES chooses at most four.  CYLINT_NARROW chooses two
- * lanes with branch-free masks, for one line and one shape; compilers with GNU's
- * vectors have two lanes on every processor.  With two lanes there are also
- * functions that join two numbers, join the first or the second lanes of two
- * vectors, swap the lanes, and return the first lane.  vq is two vectors, and with
- * CYLINT_NARROW and AVX2 one of four lanes.  Every operation rounds once, so every
- * width gives the same bits.
+ * available.  CYLINT_NARROW chooses two lanes with branch-free masks, for one line
+ * and one shape; compilers with GNU's vectors have two lanes on every processor.
+ * With two lanes there are also functions that join two numbers, join the first or
+ * the second lanes of two vectors, swap the lanes, and return the first lane.  vq
+ * is two vectors, and with CYLINT_NARROW and AVX2 one of four lanes.  Every
+ * operation rounds once, so every width gives the same bits.
  */
 #ifndef CYLINT_SIMD_H
 #define CYLINT_SIMD_H
@@ -34,8 +33,8 @@
 
 #define LANES 1
 
-#elif !defined(CYLINT_NARROW) && !defined(CYLINT_FOUR_LANES) && \
-    defined(__AVX512F__) && defined(__AVX512DQ__)
+#elif !defined(CYLINT_NARROW) && defined(__AVX512F__) && \
+    defined(__AVX512DQ__)
 
 #include <immintrin.h>
 #define LANES 8
@@ -90,20 +89,6 @@ static inline vm m_from(unsigned bits)
     const __m256i lane = _mm256_set_epi64x(8, 4, 2, 1);
     return _mm256_castsi256_pd(_mm256_cmpeq_epi64(lane,
         _mm256_and_si256(lane, _mm256_set1_epi64x((long long)bits))));
-}
-static inline vd v_four(double x, double y, double z, double w)
-{
-    return _mm256_setr_pd(x, y, z, w);
-}
-static inline vd v_turned_three(vd x) { return _mm256_permute4x64_pd(x, 0xc9); }
-static inline double v_last(vd x)
-{
-    const __m128d high = _mm256_extractf128_pd(x, 1);
-    return _mm_cvtsd_f64(_mm_unpackhi_pd(high, high));
-}
-static inline vd v_with_last(vd x, double last)
-{
-    return _mm256_blend_pd(x, _mm256_set1_pd(last), 8);
 }
 #define V_HAS_FMA 1
 

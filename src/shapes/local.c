@@ -5,12 +5,10 @@
  * Only exact products and their errors are fused: both write the same bits, but for
  * errors that underflow, of a slope or sine below 2^-900 that is not 0.
  */
-#if !defined(__GNUC__)
-#define CYLINT_ONE_LANE
-#elif defined(__AVX2__)
-#define CYLINT_FOUR_LANES
-#else
+#ifdef __GNUC__
 #define CYLINT_NARROW /* two lanes */
+#else
+#define CYLINT_ONE_LANE
 #endif
 #include "local.h"
 
@@ -149,22 +147,25 @@ INLINE void store_pair(cylint_shape *s, int at, pair x)
 static pair measure_angle(cylint_shape *s, const inverse_lengths *inverse,
                           pair slope, pair height, double *error)
 {
-    const pair one = {1, 0}, dr = cylint_radius_growth(s);
+    const pair one = {1, 0};
     pair cosine = one, sine = {0, 0};
-    if (s->kind == CYLINT_KIND_RCONE) {
-        const double lateral2 = inverse->lateral2.hi;
-        sine = slope;
-        if (lateral2 > 0) {
-            cosine = cosine_of_hull(inverse);
-            slope = pair_mul(dr, inverse->lateral);
+    if (cylint_is_tapered(s->kind) && !cylint_is_elliptic(s->kind)) {
+        const pair dr = cylint_radius_growth(s);
+        if (s->kind == CYLINT_KIND_RCONE) {
+            const double lateral2 = inverse->lateral2.hi;
+            sine = slope;
+            if (lateral2 > 0) {
+                cosine = cosine_of_hull(inverse);
+                slope = pair_mul(dr, inverse->lateral);
+            }
+            *error /= lateral2 > 0 ? cosine.hi * cosine.hi : 0;
+        } else if (s->kind == CYLINT_KIND_CONE) {
+            cosine = pair_mul(height, inverse->lateral);
+            sine = pair_mul(dr, inverse->lateral);
+        } else {
+            cosine = fast_two_sum(inverse->lateral.hi, inverse->lateral.lo);
+            sine = pair_mul(dr, cosine);
         }
-        *error /= lateral2 > 0 ? cosine.hi * cosine.hi : 0;
-    } else if (s->kind == CYLINT_KIND_CONE) {
-        cosine = pair_mul(height, inverse->lateral);
-        sine = pair_mul(dr, inverse->lateral);
-    } else if (s->kind == CYLINT_KIND_ACONE) {
-        cosine = fast_two_sum(inverse->lateral.hi, inverse->lateral.lo);
-        sine = pair_mul(dr, cosine);
     }
     store_pair(s, CYLINT_AT_COSINE, cosine);
     store_pair(s, CYLINT_AT_SINE, sine);
@@ -240,7 +241,4 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
         accurate ? cylint_solid(s->kind, s->ends) : CYLINT_SOLID_NONE;
     if (round && !accurate)
         x[CYLINT_AT_HEIGHT] = 0;
-#if LANES == 4
-    _mm256_zeroupper();
-#endif
 }

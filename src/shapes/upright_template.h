@@ -89,31 +89,6 @@ INLINE void set_last(four *x, one last)
         both_firsts(x->part[1], (vpair){v_set(last.hi), v_set(last.lo)});
 }
 
-#elif !defined(CYLINT_WIDE) && LANES == 4
-
-INLINE four four_of(double x, double y, double z, double w)
-{
-    return (four){{{v_four(x, y, z, w), v_set(0)}}};
-}
-
-/* (x1, x2, x0, x3). */
-INLINE four turned(const four *x)
-{
-    return (four){
-        {{v_turned_three(x->part[0].hi), v_turned_three(x->part[0].lo)}}};
-}
-
-INLINE one last_of(const four *x)
-{
-    return (one){v_last(x->part[0].hi), v_last(x->part[0].lo)};
-}
-
-INLINE void set_last(four *x, one last)
-{
-    x->part[0] = (vpair){v_with_last(x->part[0].hi, last.hi),
-                         v_with_last(x->part[0].lo, last.lo)};
-}
-
 #else
 
 INLINE four four_of(real x, real y, real z, real w)
