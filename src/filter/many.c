@@ -157,12 +157,14 @@ INLINE unsigned lanes_kept(const pass_columns *columns, size_t lane, mode m,
 INLINE size_t keep_numbers(size_t *list, const pass_columns *columns,
                            size_t lane, mode m, unsigned kept)
 {
-    size_t counted[LANES];
-    if (m == MODE_SHAPE)
-        for (unsigned i = 0; i < LANES; i++)
-            counted[i] = lane + i;
-    return v_keep(list, m == MODE_SHAPE ? counted : columns->run.number + lane,
-                  kept);
+    size_t n = 0;
+    if (m != MODE_SHAPE)
+        return v_keep(list, columns->run.number + lane, kept);
+    for (unsigned i = 0; i < LANES; i++) { /* no branch to guess */
+        list[n] = lane + i;
+        n += kept >> i & 1;
+    }
+    return n;
 }
 
 /* Puts the numbers of lanes that do not pass by into the list, until it has
