@@ -272,9 +272,9 @@ static int answer_by_filter(batch_job *job, const cylint_shape *shapes,
     from.n = n;
     from.want = job->want;
     from.relations = job->relations;
-    from.eager = job->purpose == FILL_COLUMNS ||
-                 (job->purpose == COUNT_HITS && job->enough == 0);
-    from.can_end = job->purpose == COUNT_HITS && job->enough != 0;
+    /* Where a hit can end the batch, groups grow from one number on: few shapes
+     * are then tested in vain. */
+    from.awaited = job->enough != 0 ? 1 : PADDING;
     from.nearest = job->nearest;
     from.speed = l ? sqrt(cylint_dot(l->d, l->d)) * CYLINT_SLACK : 0;
     from.lane = from.first = from.end = 0;

@@ -116,7 +116,8 @@ void cylint_chords_of_records(const cylint_record *records, int solid,
     from.solid = solid;
     from.n = from.lane = from.first = 0;
     from.want = CYLINT_WANT_T;
-    from.relations = from.eager = from.can_end = 0;
+    from.relations = 0;
+    from.awaited = 0;
     from.nearest = HUGE_VAL;
     from.end = n;
     for (size_t i = 0; i < n; i++)

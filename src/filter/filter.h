@@ -138,8 +138,7 @@ typedef struct {
     size_t n;
     unsigned want;
     int relations;  /* wanted even where there is no hit */
-    int eager;      /* no answer makes later ones unwanted */
-    int can_end;    /* a hit can make all later ones unwanted */
+    size_t awaited; /* how many numbers the next group waits for */
     double nearest; /* one line: hits beyond it are not wanted; the use of a
                        group may reduce it */
     double speed;   /* one line: |d|, not less */

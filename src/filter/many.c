@@ -124,9 +124,6 @@ INLINE void load_pass(const cylint_filter_batch *from, mode m, ball_pass *b)
     }
 }
 
-/* How many numbers the first pass finds at once if no answer can shorten it. */
-enum { AHEAD = 64 };
-
 /* How many lanes the first pass tests at a time, with one branch for all of them:
  * the outcomes of one vector are hard to predict. */
 enum { BLOCK = 16, VECTORS = BLOCK / LANES };
@@ -199,20 +196,13 @@ INLINE void first_pass(cylint_filter_batch *from, size_t enough, mode m)
     from->end = end;
 }
 
-/* How many numbers a group waits for.  Where a hit can end the batch, groups grow
- * from one number on: few shapes are then tested in vain. */
-static size_t awaited(const cylint_filter_batch *from)
-{
-    return from->can_end && from->first < LANES ? from->first + 1 : LANES;
-}
-
 /* Fills the list; returns how many of its numbers the next group has. */
 static int next_numbers(cylint_filter_batch *from)
 {
     enum {
-        CAPACITY =
-            sizeof from->list / sizeof *from->list - AHEAD - BLOCK - 2 * LANES
+        CAPACITY = sizeof from->list / sizeof *from->list - BLOCK - 2 * LANES
     };
+    const size_t due = from->awaited < LANES ? from->awaited : LANES;
     size_t listed = from->end - from->first;
     if (from->first > CAPACITY) {
         memmove(from->list, from->list + from->first,
@@ -220,9 +210,8 @@ static int next_numbers(cylint_filter_batch *from)
         from->first = 0;
         from->end = listed;
     }
-    const size_t due = awaited(from);
     if (listed < due && from->lane < from->n) {
-        const size_t enough = from->first + (from->eager ? AHEAD : due);
+        const size_t enough = from->first + due;
         if (!from->run)
             first_pass(from, enough, MODE_SHAPE);
         else if (from->line)
@@ -231,7 +220,10 @@ static int next_numbers(cylint_filter_batch *from)
             first_pass(from, enough, MODE_PAIRS);
         listed = from->end - from->first;
     }
-    return listed < LANES ? (int)listed : LANES;
+    if (listed > LANES)
+        listed = LANES;
+    from->awaited += listed;
+    return (int)listed;
 }
 
 /* ------------------------------------------------------- the answers ---- */
