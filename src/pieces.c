@@ -114,10 +114,9 @@ void cylint_chords_of_records(const cylint_record *records, int solid,
     from.line = &whole;
     from.lines = NULL;
     from.solid = solid;
-    from.n = from.lane = from.first = 0;
+    from.n = from.lane = from.first = from.awaited = 0;
     from.want = CYLINT_WANT_T;
     from.relations = 0;
-    from.awaited = 0;
     from.nearest = HUGE_VAL;
     from.end = n;
     for (size_t i = 0; i < n; i++)

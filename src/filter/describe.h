@@ -207,7 +207,7 @@ static unsigned describe_z_and_phi(cylint_hit *hit, const source *ball,
 /* Exact signs at points of the line serve these solids. */
 INLINE int has_signs_on_line(int solid)
 {
-    return !cylint_solid_is_round(solid) || cylint_solid_is_ball(solid);
+    return !cylint_solid_is_round(solid) || solid == CYLINT_SOLID_SPHERE;
 }
 
 /* The number near value + tail that has up to 24 digits more than a double.  Data
@@ -226,7 +226,7 @@ static int describe_exact_point(const source *from, double t, vd tail, int part,
 {
     const int solid = cylint_prepared(from->shape);
     const int on_end =
-        part != CYLINT_PART_LATERAL && !cylint_solid_is_ball(solid);
+        part != CYLINT_PART_LATERAL && solid != CYLINT_SOLID_SPHERE;
     const int surface =
         on_end ? part - CYLINT_PART_CAP0 : CYLINT_LATERAL_SURFACE;
     const vpair near = short_pair(v_set(t), tail);
@@ -263,7 +263,7 @@ static unsigned describe_again(const cylint_shape *shape,
                              want & CYLINT_WANT_POINT) |
                describe_root(hit, &from, &in, &r,
                              want & ~(unsigned)CYLINT_WANT_POINT);
-        if (cylint_solid_is_ball(solid))
+        if (solid == CYLINT_SOLID_SPHERE)
             want =
                 (want & ~axial) | describe_z_and_phi(hit, &from, &r, partial->t,
                                                      tail, want & axial);

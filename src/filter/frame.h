@@ -338,7 +338,7 @@ INLINE void set_ends(local_line *l, const source *from, int solid)
     vd r1 = r0, from_top = l->from_base;
     if (cylint_solid_is_tapered(solid))
         r1 = number_at(from, CYLINT_AT_R1);
-    if (!cylint_solid_is_ball(solid))
+    if (solid != CYLINT_SOLID_SPHERE)
         from_top = l->from_base - number_at(from, CYLINT_AT_HEIGHT);
     l->widest = v_max(r0, r1);
     if (!cylint_solid_is_bounded(solid))

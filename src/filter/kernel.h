@@ -69,7 +69,7 @@ typedef struct {
 INLINE void first_form(forms *f, const local_line *l, int solid)
 {
     const int tapered = cylint_solid_is_tapered(solid);
-    if (cylint_solid_is_ball(solid)) {
+    if (solid == CYLINT_SOLID_SPHERE) {
         f->G = ball_g_doubles(&l->in, l->in.z, l->in.r);
         return;
     }
@@ -83,11 +83,11 @@ INLINE void other_forms(forms *f, const local_line *l, int solid)
 {
     const line_doubles *in = &l->in;
     const int tapered = cylint_solid_is_tapered(solid);
-    if (cylint_solid_is_nappe(solid))
+    if (solid == CYLINT_SOLID_NAPPE)
         f->T = T_doubles(in, f->Y);
     f->A = A_doubles(in, tapered);
     f->B = B_doubles(in, tapered);
-    if (cylint_solid_is_ball(solid)) {
+    if (solid == CYLINT_SOLID_SPHERE) {
         f->A = ball_A_doubles(in);
         f->B = ball_B_doubles(in, in->z);
         return;
@@ -112,7 +112,7 @@ INLINE vd disc_error(const local_line *l, double constant, vd r)
 
 INLINE bounded_value bounded_G(const forms *f, const local_line *l, int solid)
 {
-    if (cylint_solid_is_ball(solid))
+    if (solid == CYLINT_SOLID_SPHERE)
         return (bounded_value){f->G, disc_error(l, CYLINT_LOCAL_BALL, l->in.r)};
     if (!cylint_solid_is_tapered(solid))
         return (bounded_value){f->G, disc_error(l, CYLINT_LOCAL_FORM, l->in.r)};
@@ -292,7 +292,7 @@ INLINE void judge_unbounded(verdict *v, const forms *f, const local_line *l,
     }
     if (cylint_solid_is_tapered(solid))
         v->crosses = m_and(v->crosses, m_or(A.positive, A.negative));
-    if (!cylint_solid_is_nappe(solid))
+    if (solid != CYLINT_SOLID_NAPPE)
         return;
     const signs T = signs_of(f->T, cubic_error(l));
     const vm leaves = v_lt(l->in.slope * l->in.w, v_set(0));
@@ -308,7 +308,7 @@ INLINE void judge(verdict *v, const forms *f, const local_line *l, int solid)
 {
     v->A = bounded_A(f->A, l, l->taper);
     v->B = bounded_B(f->B, l, l->taper);
-    if (cylint_solid_is_ball(solid)) {
+    if (solid == CYLINT_SOLID_SPHERE) {
         const signs g = signs_of(v->G.v, v->G.e);
         EACH(k, ENDS)
             v->pierced[k] = m_from(0);
@@ -385,14 +385,14 @@ INLINE place place_of(const point_signs *at, const verdict *v, vd limit,
         past = signs_if(between, past, reversed(past));
     }
     vm inside = side.negative, outside = side.positive;
-    if (cylint_solid_is_nappe(solid)) {
+    if (solid == CYLINT_SOLID_NAPPE) {
         const vm enters = m_of_end(v->exists, 0);
         const vm leaves = m_of_end(v->exists, 1);
         inside = m_and(inside, at->rho.positive);
         outside = m_or(outside, at->rho.negative);
         past.positive = m_and(leaves, m_or(past.positive, m_not(enters)));
         past.negative = m_and(enters, m_or(past.negative, m_not(leaves)));
-    } else if (cylint_solid_is_ball(solid)) {
+    } else if (solid == CYLINT_SOLID_SPHERE) {
         inside = at->ball[0].negative;
         outside = at->ball[0].positive;
     } else if (cylint_solid_is_bounded(solid)) {
@@ -429,7 +429,7 @@ INLINE signs past_chord(const point_signs *at, const verdict *v,
                         const signs ball[2], signs vertex, vm down, int solid)
 {
     signs past = vertex;
-    if (!cylint_solid_is_bounded(solid) || cylint_solid_is_ball(solid))
+    if (!cylint_solid_is_bounded(solid) || solid == CYLINT_SOLID_SPHERE)
         return past;
     EACH(i, 2) {
         const signs plane =
@@ -461,7 +461,7 @@ INLINE void set_past(point_signs *at, const local_line *l, const verdict *v,
                      vd t, int solid)
 {
     signs of_ball[2] = {at->past, at->past};
-    if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid) &&
+    if (cylint_solid_is_round(solid) && solid != CYLINT_SOLID_SPHERE &&
         m_any(either_end(v->chord)))
         EACH(i, 2)
             of_ball[i] =
@@ -475,7 +475,7 @@ INLINE void set_place_signs(point_signs *at, const local_line *l, vd t,
                             int solid)
 {
     const line_doubles *in = &l->in;
-    const int ball = cylint_solid_is_ball(solid);
+    const int ball = solid == CYLINT_SOLID_SPHERE;
     const int bounded = cylint_solid_is_bounded(solid);
     const int round = cylint_solid_is_round(solid);
     const vd k = l->taper, size = v_sum_of(v_abs(t), l->D, l->Q);
@@ -521,7 +521,7 @@ INLINE vm is_ahead(const local_line *l, const verdict *v, int solid)
     vm ahead = v_lt(v->B.v, -v->B.e), cap[ENDS], plane[ENDS];
     if (solid == CYLINT_SOLID_DOUBLE_CONE)
         ahead = m_and(ahead, v_lt(v_set(0), v->A.v));
-    if (!cylint_solid_is_bounded(solid) || cylint_solid_is_ball(solid))
+    if (!cylint_solid_is_bounded(solid) || solid == CYLINT_SOLID_SPHERE)
         return ahead;
     EACH(k, ENDS) {
         plane[k] = v->pierced[k];

@@ -267,7 +267,7 @@ INLINE vm may_be_nearest(const estimate *first, const verdict *v,
 {
     const vd beyond = (first->t - v_set(nearest)) * first->scale;
     vm sure = m_and(first->is_near, v_lt(v_set(0), first->scale));
-    if (cylint_solid_is_nappe(solid))
+    if (solid == CYLINT_SOLID_NAPPE)
         sure = m_and(sure, v->exists[0]);
     return m_not(m_and(sure, v_lt(first->off, beyond)));
 }
@@ -322,7 +322,7 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
     const source from = {&x->frame, &x->line};
     const int nearest = (want & CYLINT_WANT_NEAREST) != 0;
     pair_line in;
-    if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid))
+    if (cylint_solid_is_round(solid) && solid != CYLINT_SOLID_SPHERE)
         compute_balls(&v->ball, l);
     for (int k = 0; k < 2; k++) {
         const line_end end_k = k ? to->at[1] : to->at[0];
@@ -333,7 +333,7 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
                     *crosses, may_be_nearest(&at, v, x->from->nearest, solid));
             if (!m_any(*crosses))
                 return;
-            if (cylint_solid_is_ball(solid))
+            if (solid == CYLINT_SOLID_SPHERE)
                 lines_in_pairs(&in, x, want, solid);
             else
                 any_lines_in_pairs(&in, x, want, solid);

@@ -97,7 +97,7 @@ INLINE vd coordinate_error(const local_hit *h, const vd size[3], int row, vd v,
                            int solid)
 {
     vd sum = size[row];
-    if (!cylint_solid_is_ball(solid)) {
+    if (solid != CYLINT_SOLID_SPHERE) {
         sum = v_set(0);
         EACH(j, 3)
             sum = v_sum_of(h->entry_size[row][j], size[j], sum);
@@ -217,7 +217,7 @@ INLINE bounded_pairs from_center(const local_hit *h, const hit_root *r,
                                  const source *from, int solid)
 {
     bounded_pairs z = h->z;
-    if (!cylint_solid_is_ball(solid)) {
+    if (solid != CYLINT_SOLID_SPHERE) {
         const vpair height = pair_at(from, CYLINT_AT_HEIGHT);
         const vpair above = vpair_sub(z.v, height);
         z = choose_pairs(
@@ -230,7 +230,7 @@ INLINE bounded_pairs from_center(const local_hit *h, const hit_root *r,
 /* The lanes of hits on a ball of a round solid. */
 INLINE vm on_ball(const hit_root *r, int solid)
 {
-    return cylint_solid_is_ball(solid) ? m_if_all(1) : r->on_end;
+    return solid == CYLINT_SOLID_SPHERE ? m_if_all(1) : r->on_end;
 }
 
 /* x, y and z of the normal x X + y Y + z Z on the lateral surface or on a ball, of
@@ -347,7 +347,7 @@ INLINE void normal_of(bounded_pairs n[3], const local_hit *h,
             local[i] = choose_pairs(skew, inclined[i], local[i]);
     }
     EACH(i, 3)
-        n[i] = cylint_solid_is_ball(solid)
+        n[i] = solid == CYLINT_SOLID_SPHERE
                    ? local[i]
                    : component_of(local, h, from, i, solid);
     if (cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid))
@@ -440,7 +440,7 @@ INLINE unsigned local_members(unsigned want, int solid)
 {
     const unsigned axial = CYLINT_WANT_Z | CYLINT_WANT_PHI;
     return want &
-           (CYLINT_WANT_NORMAL | (cylint_solid_is_ball(solid) ? 0 : axial));
+           (CYLINT_WANT_NORMAL | (solid == CYLINT_SOLID_SPHERE ? 0 : axial));
 }
 
 /* Spheres have z = phi = 0.  Those of a ball that is the whole of a round cone
@@ -449,7 +449,7 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
                        const pair_line *in, const hit_root *r, unsigned want,
                        int solid)
 {
-    const int ball = cylint_solid_is_ball(solid);
+    const int ball = solid == CYLINT_SOLID_SPHERE;
     const unsigned local = local_members(want, solid);
     unsigned certain = 0;
     bounded_pairs x[3];

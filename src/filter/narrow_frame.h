@@ -32,7 +32,7 @@ typedef struct {
 INLINE vd height_of(const double o[3], const cylint_shape *shape, int solid)
 {
     const double *b = cylint_base(shape);
-    return cylint_solid_is_ball(solid)
+    return solid == CYLINT_SOLID_SPHERE
                ? v_set(o[2] - b[2])
                : along(shape, o[0] - b[0], o[1] - b[1], o[2] - b[2]);
 }
@@ -41,8 +41,8 @@ INLINE void load_along(first_line *to, const source *from, int solid)
 {
     const double *d = from->line->d;
     to->from_base = height_of(from->line->o, from->shape, solid);
-    to->w = cylint_solid_is_ball(solid) ? v_set(d[2])
-                                        : along(from->shape, d[0], d[1], d[2]);
+    to->w = solid == CYLINT_SOLID_SPHERE ? v_set(d[2])
+                                         : along(from->shape, d[0], d[1], d[2]);
 }
 
 /* No local coordinate of the line's origin exceeds it.  size: no coordinate from
@@ -67,7 +67,7 @@ INLINE void load_point(first_line *to, const double o[3],
     const vd xy = v_load(o) - v_load(base), z = v_set(o[2] - base[2]);
     const vd x = v_firsts(xy, xy), y = v_seconds(xy, xy);
     const vd size = v_max(v_max(v_abs(x), v_abs(y)), v_abs(z));
-    to->p = cylint_solid_is_ball(solid) ? xy : across(shape, x, y, z);
+    to->p = solid == CYLINT_SOLID_SPHERE ? xy : across(shape, x, y, z);
     to->Q = origin_bound(size, shape);
 }
 
@@ -78,11 +78,11 @@ INLINE first_line load_first(const source *from, int solid)
     first_line to;
     load_point(&to, from->line->o, from->shape, solid);
     to.v = v_load(d);
-    if (!cylint_solid_is_ball(solid))
+    if (solid != CYLINT_SOLID_SPHERE)
         to.v = across(from->shape, v_set(d[0]), v_set(d[1]), v_set(d[2]));
     to.D = direction_bound(from);
     to.from_base = to.w = v_set(0);
-    if (cylint_solid_is_tapered(solid) || cylint_solid_is_ball(solid))
+    if (cylint_solid_is_tapered(solid) || solid == CYLINT_SOLID_SPHERE)
         load_along(&to, from, solid);
     return to;
 }
@@ -151,7 +151,7 @@ INLINE void set_sizes(local_line *l, const cylint_shape *shape,
 INLINE void load_after_G(local_line *l, const source *from, int solid)
 {
     if (!cylint_solid_is_tapered(solid) && cylint_solid_is_bounded(solid) &&
-        !cylint_solid_is_ball(solid)) {
+        solid != CYLINT_SOLID_SPHERE) {
         first_line first;
         load_along(&first, from, solid);
         l->from_base = l->in.z = first.from_base;
@@ -202,7 +202,7 @@ INLINE vqpair direction_in_pairs(const source *from, int solid)
     const double *d = from->line->d, *d_lo = from->line->d_lo;
     const vq hi[3] = {q_set(d[0]), q_set(d[1]), q_set(d[2])};
     const vq lo[3] = {q_set(d_lo[0]), q_set(d_lo[1]), q_set(d_lo[2])};
-    if (cylint_solid_is_ball(solid))
+    if (solid == CYLINT_SOLID_SPHERE)
         return (vqpair){q_load(d), q_load(d_lo)};
     return transformed(from->shape, hi, from->line->segment ? lo : NULL);
 }
@@ -226,7 +226,7 @@ INLINE void load_pairs_from(pair_line *to, vqpair x, const source *from,
                             int moves, int solid)
 {
     const vqpair p =
-        cylint_solid_is_ball(solid) ? x : local_in_pairs(from->shape, x);
+        solid == CYLINT_SOLID_SPHERE ? x : local_in_pairs(from->shape, x);
     vqpair v = {q_set(0), q_set(0)};
     if (moves)
         v = direction_in_pairs(from, solid);

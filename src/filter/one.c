@@ -61,7 +61,7 @@ INLINE int answer_after_G(const first_line *first, bounded_value G,
     verdict v = no_verdict;
     set_line(&l, first, &from, solid);
     load_after_G(&l, &from, solid);
-    if (cylint_solid_is_nappe(solid))
+    if (solid == CYLINT_SOLID_NAPPE)
         set_Y_doubles(&l.in, f.Y);
     other_forms(&f, &l, solid);
     v.G = G;
@@ -172,8 +172,8 @@ INLINE int contains_in_doubles(const cylint_shape *shape, const double point[3],
 INLINE int contains_exactly(point_signs *at, const cylint_question *q,
                             int solid)
 {
-    const int ball = cylint_solid_is_ball(solid);
-    if (!has_signs_on_line(solid) || cylint_solid_is_nappe(solid) ||
+    const int ball = solid == CYLINT_SOLID_SPHERE;
+    if (!has_signs_on_line(solid) || solid == CYLINT_SOLID_NAPPE ||
         !cylint_is_finite(q->line->o))
         return CYLINT_SIDE_UNDECIDED;
     settle(ball ? &at->ball[0] : &at->side, 1, 0, q, CYLINT_LATERAL_SURFACE);

@@ -33,7 +33,7 @@ INLINE cylint_end_bits bits_of_end(const line_end *e, const local_line *l,
                                    const verdict *v, const cylint_shape *shape,
                                    int solid)
 {
-    if (cylint_solid_is_ball(solid))
+    if (solid == CYLINT_SOLID_SPHERE)
         return parts_of_sphere(shape);
     return (cylint_end_bits){m_bits(e->on_end), m_bits(e->top),
                              m_bits(is_present(l, v, e, 0, solid)),
@@ -131,7 +131,7 @@ INLINE int answer_by_signs(const local_line *l, const verdict *v,
     if (!no_parts && !(m_bits(v->sided) & 1))
         return leave_undecided(question, CYLINT_REFINE_LINE);
     if (no_parts && a->want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
-        line->tmax > v_first(latest(solid)) && !cylint_solid_is_nappe(solid) &&
+        line->tmax > v_first(latest(solid)) && solid != CYLINT_SOLID_NAPPE &&
         m_bits(is_ahead(l, v, solid)) & 1) {
         a->answer->relation = CYLINT_RELATION_CROSS;
         return a->answer->n = 1;
@@ -167,7 +167,7 @@ INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
                            const arguments *a, int solid)
 {
     cylint_question *question = a->question;
-    if (cylint_solid_is_round(solid) && !cylint_solid_is_ball(solid))
+    if (cylint_solid_is_round(solid) && solid != CYLINT_SOLID_SPHERE)
         compute_balls(&v->ball, l);
     const line_end e = end_number(l, v, 0, solid);
     const estimate at = estimate_end(l, v, &e, solid);

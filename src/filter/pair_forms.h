@@ -53,7 +53,7 @@ INLINE void forms_in_pairs(forms *f, balls *b, local_line *l,
                            int solid)
 {
     const int tapered = cylint_solid_is_tapered(solid);
-    const int ball = cylint_solid_is_ball(solid);
+    const int ball = solid == CYLINT_SOLID_SPHERE;
     vpair z[1], r[1], Y[2] = {vpair_set(0, 0), vpair_set(0, 0)};
     line_pairs x;
     set_planes(z, r, in, shape, solid);
@@ -78,7 +78,7 @@ INLINE void forms_in_pairs(forms *f, balls *b, local_line *l,
     f->G = rounded(G_pairs(&x, tapered, Y));
     f->A = rounded(A_pairs(&x, tapered));
     f->B = rounded(B_pairs(&x, tapered));
-    if (cylint_solid_is_nappe(solid))
+    if (solid == CYLINT_SOLID_NAPPE)
         f->T = rounded(T_pairs(&x, Y));
     if (!cylint_solid_is_bounded(solid))
         return;
@@ -98,7 +98,7 @@ INLINE void count_all_roundings(verdict *v, int solid)
     count_roundings(&v->G, 1);
     count_roundings(&v->A, 2);
     count_roundings(&v->B, 1);
-    if (!cylint_solid_is_round(solid) || cylint_solid_is_ball(solid))
+    if (!cylint_solid_is_round(solid) || solid == CYLINT_SOLID_SPHERE)
         return;
     count_roundings(&v->ball.g[0], 1);
     count_roundings(&v->ball.A, 2);

@@ -24,7 +24,7 @@ INLINE void point_in_pairs(point_signs *at, const local_line *l,
     at->side = at->rho = (signs){none, none};
     EACH(i, 2)
         at->above[i] = at->ball[i] = at->side;
-    if (cylint_solid_is_nappe(solid)) {
+    if (solid == CYLINT_SOLID_NAPPE) {
         const vpair rho = moved(in->rho, in->growth, t);
         at->rho = signs_of(rho.hi + rho.lo, l->taper * eZ);
     }
@@ -38,14 +38,14 @@ INLINE void point_in_pairs(point_signs *at, const local_line *l,
     if (cylint_solid_is_round(solid))
         EACH_FUSED(i, 2) {
             const vm within = i ? at->above[1].negative : at->above[0].positive;
-            if (!cylint_solid_is_ball(solid) && !m_any(m_not(within)))
+            if (solid != CYLINT_SOLID_SPHERE && !m_any(m_not(within)))
                 continue;
             const bounded_value C =
                 square_residual(in, l, t, all, pairs_of_end(in->z, i),
                                 of_end(l->ball_r, i), solid);
             at->ball[i] = signs_of(C.v, C.e);
         }
-    if (cylint_solid_is_ball(solid) || !m_any(between))
+    if (solid == CYLINT_SOLID_SPHERE || !m_any(between))
         return;
     const bounded_value side =
         square_residual(in, l, t, none, in->z[0], l->in.r, solid);
@@ -170,7 +170,7 @@ INLINE void settle(signs *x, unsigned lane, int rises, const cylint_question *q,
 INLINE void settle_at_origin(point_signs *at, unsigned lane,
                              const cylint_question *q, int solid)
 {
-    const int ball = cylint_solid_is_ball(solid);
+    const int ball = solid == CYLINT_SOLID_SPHERE;
     settle(ball ? &at->ball[0] : &at->side, lane, q->rises, q,
            CYLINT_LATERAL_SURFACE);
     if (!cylint_solid_is_bounded(solid) || ball)
@@ -215,7 +215,7 @@ INLINE unsigned roots_at(const root *exact, const root *r, const estimate *at,
     v_store(tail, exact->tail);
     EACH(i, 2) {
         const int plane =
-            q->ends.on_end >> i & 1 && !cylint_solid_is_ball(solid);
+            q->ends.on_end >> i & 1 && solid != CYLINT_SOLID_SPHERE;
         const int surface =
             plane ? (int)(q->ends.top >> i & 1) : CYLINT_LATERAL_SURFACE;
         if (found >> i & 1 &&

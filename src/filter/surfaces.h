@@ -26,7 +26,7 @@ INLINE vm is_backward(const local_line *l, const verdict *v, int solid)
 {
     if (solid == CYLINT_SOLID_DOUBLE_CONE)
         return v_lt(v->A.v, v_set(0));
-    if (!cylint_solid_is_bounded(solid) || cylint_solid_is_ball(solid))
+    if (!cylint_solid_is_bounded(solid) || solid == CYLINT_SOLID_SPHERE)
         return m_from(0);
     const vm down = v_lt(l->in.w, v_set(0));
     return cylint_solid_is_round(solid) ? m_and_not(down, either_end(v->chord))
@@ -39,7 +39,7 @@ INLINE line_end end_number(const local_line *l, const verdict *v, int k,
 {
     const int narrow = ENDS == 1;
     const int bounded =
-        cylint_solid_is_bounded(solid) && !cylint_solid_is_ball(solid);
+        cylint_solid_is_bounded(solid) && solid != CYLINT_SOLID_SPHERE;
     const vm back = is_backward(l, v, solid), last = last_end(k);
     const vd order = ends_of(v_set(-1), v_set(1), k);
     line_end e;
@@ -88,7 +88,7 @@ INLINE quadratic quadratic_of_end(const verdict *v, const line_end *e,
 {
     const balls *b = &v->ball;
     quadratic q = {v->A, v->B, v->G};
-    if (!cylint_solid_is_round(solid) || cylint_solid_is_ball(solid))
+    if (!cylint_solid_is_round(solid) || solid == CYLINT_SOLID_SPHERE)
         return q;
     return (quadratic){choose(e->on_end, b->A, q.A),
                        choose(e->on_end, bounded_of_ball(e, b->B), q.B),
@@ -219,7 +219,7 @@ INLINE bounded_value residual_at(const pair_line *in, const local_line *l, vd t,
                                  const line_end *e, int solid)
 {
     if (cylint_solid_is_round(solid)) {
-        const int ball = cylint_solid_is_ball(solid);
+        const int ball = solid == CYLINT_SOLID_SPHERE;
         const vpair base = pairs_of_end(in->z, 0);
         const vpair z =
             ball ? base : pick(e->top, pairs_of_end(in->z, 1), base);
@@ -333,7 +333,7 @@ INLINE hits hits_of_roots(const root *r, const local_line *l, vm present)
 INLINE vm is_present(const local_line *l, const verdict *v, const line_end *e,
                      int k, int solid)
 {
-    if (cylint_solid_is_ball(solid))
+    if (solid == CYLINT_SOLID_SPHERE)
         return m_if_all(1);
     if (!cylint_solid_is_bounded(solid))
         return v->exists[k];

@@ -32,7 +32,7 @@ INLINE void gather_numbers(frames *to, const cylint_shape *const shape[LANES],
                            int solid)
 {
     gather_members(to, shape, 0,
-                   cylint_solid_is_ball(solid)
+                   solid == CYLINT_SOLID_SPHERE
                        ? CYLINT_AT_R1
                        : CYLINT_AT_COLUMNS + CYLINT_LOW);
 }
@@ -58,7 +58,7 @@ INLINE void gather_shapes(frames *to, const cylint_shape *const shape[LANES],
 INLINE void gather_pairs(frames *to, const cylint_shape *const shape[LANES],
                          int solid)
 {
-    if (!cylint_solid_is_ball(solid))
+    if (solid != CYLINT_SOLID_SPHERE)
         gather_members(to, shape, CYLINT_AT_COLUMNS + CYLINT_LOW, MEMBERS);
 }
 
@@ -79,7 +79,7 @@ INLINE void load_point(local_line *l, const vd o[3], const source *from,
                        int solid)
 {
     const frames *f = from->frame;
-    const int ball = cylint_solid_is_ball(solid);
+    const int ball = solid == CYLINT_SOLID_SPHERE;
     vd x[3];
     EACH(i, 3)
         x[i] = o[i] - f->of[CYLINT_AT_BASE + i];
@@ -98,7 +98,7 @@ INLINE void load_point(local_line *l, const vd o[3], const source *from,
 INLINE void load_first(local_line *l, const source *from, int solid)
 {
     const frames *f = from->frame;
-    const int ball = cylint_solid_is_ball(solid);
+    const int ball = solid == CYLINT_SOLID_SPHERE;
     const vd *d = from->line->d;
     const vd size = v_largest(d), most = v_set(CYLINT_WINDOW);
     load_point(l, from->line->o, from, solid);
@@ -165,7 +165,7 @@ INLINE vpair row_in_pairs(const frames *f, int row, const vpair x[3], int exact)
 INLINE void load_pairs(pair_line *to, const source *from, int solid)
 {
     const frames *f = from->frame;
-    const int ball = cylint_solid_is_ball(solid);
+    const int ball = solid == CYLINT_SOLID_SPHERE;
     const int exact = !from->line->segment;
     vpair x[3], d[3], p[3], v[3];
     EACH(i, 3) {

@@ -204,9 +204,8 @@ CYLINT_INLINE int cylint_solid(int kind, int ends)
                                        : CYLINT_SOLID_DOUBLE_CONE;
 }
 
-/* Of a solid: the radius of its section changes along the axis; it is bounded; the
- * plane through the apex bounds it; its ends are balls, or it is one; it is one
- * ball. */
+/* Of a solid: the radius of its section changes along the axis; it is bounded; its
+ * ends are balls, or it is one. */
 CYLINT_INLINE int cylint_solid_is_tapered(int solid)
 {
     return solid == CYLINT_SOLID_CONE || solid == CYLINT_SOLID_DOUBLE_CONE ||
@@ -218,27 +217,17 @@ CYLINT_INLINE int cylint_solid_is_bounded(int solid)
     return solid <= CYLINT_SOLID_CONE || solid >= CYLINT_SOLID_SPHERE;
 }
 
-CYLINT_INLINE int cylint_solid_is_nappe(int solid)
-{
-    return solid == CYLINT_SOLID_NAPPE;
-}
-
 CYLINT_INLINE int cylint_solid_is_round(int solid)
 {
     return solid >= CYLINT_SOLID_SPHERE;
-}
-
-CYLINT_INLINE int cylint_solid_is_ball(int solid)
-{
-    return solid == CYLINT_SOLID_SPHERE;
 }
 
 /* A double cone or a nappe.  They differ in so few branches that one kernel serves
  * both; compilers derive from this that it is one of them. */
 CYLINT_INLINE int cylint_whole_cone(int solid)
 {
-    return cylint_solid_is_nappe(solid) ? CYLINT_SOLID_NAPPE
-                                        : CYLINT_SOLID_DOUBLE_CONE;
+    return solid == CYLINT_SOLID_NAPPE ? CYLINT_SOLID_NAPPE
+                                       : CYLINT_SOLID_DOUBLE_CONE;
 }
 
 /* The base is the end at z = 1. */

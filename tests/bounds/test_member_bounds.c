@@ -63,7 +63,7 @@ typedef struct {
 
 static surface any_surface(int solid)
 {
-    const int ball = cylint_solid_is_ball(solid);
+    const int ball = solid == CYLINT_SOLID_SPHERE;
     surface f = {0, 0, ball};
     if (!ball && cylint_solid_is_bounded(solid) && one_of(2)) {
         f.on_end = 1;
@@ -225,7 +225,7 @@ static number *normal_now(int solid)
 static void judge_members(const source *from, const pair_line *in,
                           const hit_root *r, int solid)
 {
-    const int ball = cylint_solid_is_ball(solid);
+    const int ball = solid == CYLINT_SOLID_SPHERE;
     const local_hit h = hit_at(from, in, r, 1, solid);
     bounded_pairs x[3];
     judge_pairs(&X, 0, &h.x, the.at[0]);
