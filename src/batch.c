@@ -457,11 +457,11 @@ static void write_sides(const cylint_shape *shapes, size_t each,
     (shapes, each, points, side);
 #if CYLINT_IS_PARANOID
     for (size_t i = 0; i < n; i++)
-        cylint_contradiction(side[i] != CYLINT_SIDE_UNDECIDED &&
+        cylint_contradiction(side[i] != CYLINT_SIGN_UNDECIDED &&
                              side[i] != side_alone(shapes, each, points, i));
 #endif
     for (size_t i = 0; i < n; i++)
-        if (side[i] == CYLINT_SIDE_UNDECIDED)
+        if (side[i] == CYLINT_SIGN_UNDECIDED)
             side[i] = (signed char)side_alone(shapes, each, points, i);
 }
 

@@ -265,11 +265,11 @@ int cylint_contains(const cylint_shape *shape, const double point[3])
     const int side =
         cylint_largest(point) <= CYLINT_FAR
             ? cylint_one_used->contains[cylint_prepared(shape)](shape, point)
-            : CYLINT_SIDE_UNDECIDED;
+            : CYLINT_SIGN_UNDECIDED;
     /* mutant '!' -> '': slower, exact arithmetic decides */
-    if (side != CYLINT_SIDE_UNDECIDED && !CYLINT_IS_PARANOID)
+    if (side != CYLINT_SIGN_UNDECIDED && !CYLINT_IS_PARANOID)
         return side;
     const int exactly = contains_by_signs(shape, point);
-    cylint_contradiction(side != CYLINT_SIDE_UNDECIDED && side != exactly);
+    cylint_contradiction(side != CYLINT_SIGN_UNDECIDED && side != exactly);
     return exactly;
 }

@@ -70,8 +70,7 @@ typedef int cylint_kernel_one(const cylint_shape *shape,
                               cylint_answer *answer, cylint_question *question);
 
 /* On which side of a shape's surface the point lies: 1 inside, 0 on it, -1
- * outside; or CYLINT_SIDE_UNDECIDED.  No coordinate exceeds CYLINT_FAR. */
-enum { CYLINT_SIDE_UNDECIDED = 2 };
+ * outside; or CYLINT_SIGN_UNDECIDED.  No coordinate exceeds CYLINT_FAR. */
 typedef int cylint_kernel_point(const cylint_shape *shape,
                                 const double point[3]);
 

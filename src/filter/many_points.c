@@ -27,7 +27,7 @@ INLINE vd sides_of_lanes(const frames *f, const vd point[3], int solid)
     const vm outside = m_and(l.in_range, where.before);
     /* mutant '1' -> '2': slower, that is undecided */
     return v_select(inside, v_set(1),
-                    v_select(outside, v_set(-1), v_set(CYLINT_SIDE_UNDECIDED)));
+                    v_select(outside, v_set(-1), v_set(CYLINT_SIGN_UNDECIDED)));
 }
 
 /* The last lanes can overlap those before them. */
@@ -115,7 +115,7 @@ static void answer_pairs(const cylint_shape *shapes,
 void CYLINT_SIDES(const cylint_shape *shapes, size_t each,
                   const cylint_points *points, signed char *side)
 {
-    memset(side, CYLINT_SIDE_UNDECIDED, points->n);
+    memset(side, CYLINT_SIGN_UNDECIDED, points->n);
     if (each)
         answer_pairs(shapes, points, side);
     else

@@ -175,7 +175,7 @@ INLINE int contains_exactly(point_signs *at, const cylint_question *q,
     const int ball = solid == CYLINT_SOLID_SPHERE;
     if (!has_signs_on_line(solid) || solid == CYLINT_SOLID_NAPPE ||
         !cylint_is_finite(q->line->o))
-        return CYLINT_SIDE_UNDECIDED;
+        return CYLINT_SIGN_UNDECIDED;
     settle(ball ? &at->ball[0] : &at->side, 1, 0, q, CYLINT_LATERAL_SURFACE);
     if (cylint_solid_is_bounded(solid) && !ball)
         EACH(i, 2)
@@ -195,7 +195,7 @@ static int contains_in_pairs(const cylint_shape *shape, const double point[3])
     pair_line in;
     first_line first;
     if (!cylint_rounds_to_nearest())
-        return CYLINT_SIDE_UNDECIDED;
+        return CYLINT_SIGN_UNDECIDED;
     load_point(&first, point, shape, solid);
     q.Q = v_first(first.Q);
     set_sizes(&l, q.shape, q.line, q.Q, q.D, solid);

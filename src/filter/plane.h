@@ -81,19 +81,19 @@ static inline int cylint_plane_distance(const cylint_shape *s,
 }
 
 /* 1 if the point is behind the plane, 0 if it is on it, -1 if it is before it; or
- * CYLINT_SIDE_UNDECIDED. */
+ * CYLINT_SIGN_UNDECIDED. */
 static inline int cylint_side_of_plane(const cylint_shape *s,
                                        const double point[3])
 {
     pair from[3];
     if (!cylint_is_plane(s->kind) || !cylint_in_range(s) ||
         !cylint_rounds_to_nearest() || !cylint_from_plane(s, point, from))
-        return CYLINT_SIDE_UNDECIDED;
+        return CYLINT_SIGN_UNDECIDED;
     const bounded_pair above = cylint_along_normal(from, cylint_axis(s));
     return cylint_is_exact_zero(above)     ? 0
            : above.v.hi > 2 * above.error  ? -1
            : above.v.hi < -2 * above.error ? 1
-                                           : CYLINT_SIDE_UNDECIDED;
+                                           : CYLINT_SIGN_UNDECIDED;
 }
 
 /* The root -above / slope.  Its error: those of both numbers, the quotient's, and
@@ -143,7 +143,7 @@ static inline int cylint_answer_parallel(int side, cylint_answer *answer)
                        : side == 0 ? CYLINT_RELATION_ALONG
                                    : CYLINT_RELATION_MISS;
     answer->n = 0;
-    return side == CYLINT_SIDE_UNDECIDED ? CYLINT_UNDECIDED : 0;
+    return side == CYLINT_SIGN_UNDECIDED ? CYLINT_UNDECIDED : 0;
 }
 
 /* Relation, n, and the wanted t, part and side of a line; or CYLINT_UNDECIDED. */
