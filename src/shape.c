@@ -46,7 +46,7 @@ static void write_difference(double to[3], const double x[3], const double y[3])
 {
     int exact = cylint_rounds_to_nearest();
     for (int i = 0; i < 3; i++) {
-        exact &= !cylint_too_small(x[i]) & !cylint_too_small(y[i]);
+        exact &= !(cylint_too_small(x[i]) | cylint_too_small(y[i]));
         to[i] = x[i] - y[i];
     }
     for (int i = 0; i < 3 && !exact; i++)
