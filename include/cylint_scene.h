@@ -459,8 +459,8 @@ typedef struct cylint_workspace {
  * Returns CYLINT_NO_ROOM if the workspace does not suffice, and writes how many
  * bytes to try next, which is more than before.  A chord takes 48 bytes, in a
  * scene with solids about 150, and 128 more for each further solid that its shape
- * is a member of.  An unbounded member of a bounded solid takes at most 256 with its
- * chords, and a complement in an unbounded solid 48 besides them.
+ * is a member of.  An unbounded member of a bounded solid takes at most 256 with
+ * its chords, and a complement in an unbounded solid 48 besides them.
  * A refused line has no pieces.
  */
 CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,

@@ -451,7 +451,7 @@ TEST(sums_are_the_nearest_doubles_for_all_threads)
 }
 #endif
 
-/* A piece whose t is subnormal, one whose length is, and a product that is rounded. */
+/* A piece whose t is subnormal, one whose length is, and a rounded product. */
 TEST(a_sum_in_units_is_the_same_in_every_environment)
 {
     static const struct {
