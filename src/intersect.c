@@ -116,8 +116,44 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
     return answer->n;
 }
 
-/* t and part by the filter, the other members from them; all by signs where one is
- * not certain. */
+/* Writes the wanted members of a hit that the filter decided. */
+ASIDE void complete_hit(const cylint_shape *shape, const cylint_line *line,
+                        const cylint_hit *partial, unsigned want,
+                        cylint_hit *hit)
+{
+    const unsigned undecided =
+        describe_in_pairs(shape, line, want, partial, hit);
+    if (!undecided)
+        return;
+    const int on_plane =
+        partial->part != CYLINT_PART_LATERAL && !cylint_is_round(shape->kind);
+    const cylint_root root =
+        cylint_is_plane(shape->kind) ? ROOT_CAP0
+        : on_plane ? (partial->part == CYLINT_PART_CAP0 ? ROOT_CAP0 : ROOT_CAP1)
+        : partial->side == CYLINT_SIDE_ENTERING ? ROOT_ENTRY
+                                                : ROOT_EXIT;
+    const cylint_stop at = {root, partial->part, partial->side, 0};
+    cylint_query q;
+    cylint_shape ball;
+    cylint_query_open(&q, shape, line);
+    open_part(&q, shape, line, partial->part, &ball);
+    describe_exactly(&q, &at, want, undecided, hit);
+}
+
+/* Writes the hits that the filter decided, with their undecided members. */
+static void write_hits(const cylint_question *from, unsigned want,
+                       const cylint_answer *partial, cylint_answer *answer)
+{
+    for (int i = 0; i < partial->n; i++) {
+        const cylint_hit *k = &partial->hit[i];
+        cylint_hit *hit = &answer->hit[i];
+        cylint_copy_hit(hit, k, want & (CYLINT_WANT_T | CYLINT_WANT_PART));
+        if (from->undecided[i])
+            complete_hit(from->shape, from->line, k, from->undecided[i], hit);
+    }
+}
+
+/* t and part by the filter where it decides, the other members from them. */
 ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
                      unsigned want, cylint_answer *answer)
 {
@@ -131,14 +167,7 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
         return cylint_intersect_by_signs(shape, line, want, answer);
     answer->relation = partial.relation;
     answer->n = n;
-    for (int i = 0; i < n; i++) {
-        const cylint_hit *from = &partial.hit[i];
-        cylint_copy_hit(&answer->hit[i], from,
-                        want & (CYLINT_WANT_T | CYLINT_WANT_PART));
-        if (describe_in_pairs(shape, line, question.undecided[i], from,
-                              &answer->hit[i]))
-            return cylint_intersect_by_signs(shape, line, want, answer);
-    }
+    write_hits(&question, want, &partial, answer);
     return n;
 }
 

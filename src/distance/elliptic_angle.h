@@ -40,8 +40,10 @@ typedef struct {
 #define CYLINT_ANGLE_STEP 0x1p-20
 #define CYLINT_SECULAR_STEP 0x1p-10
 
-/* A step of Newton's iteration is shorter than this, and does not lead away. */
+/* A step of Newton's iteration is shorter than CYLINT_LONGEST_STEP.  Where it is
+ * not, or leads down, as at skewed oblique cones, CYLINT_STEP_UP leads up. */
 #define CYLINT_LONGEST_STEP 0.5
+#define CYLINT_STEP_UP 0.4
 
 /* Where a rough angle is enough. */
 #define CYLINT_ROUGH_STEP 0x1p-6
@@ -197,6 +199,36 @@ CYLINT_INLINE angle turned_by(angle at, double by)
                    (at.sin + at.cos * by) * scale};
 }
 
+/* The height over the tangent plane. */
+CYLINT_INLINE double height_at(const elliptic_place *p, angle at)
+{
+    tangent_plane t;
+    load_tangent_plane(&t, p, at);
+    return t.n / sqrt(t.q);
+}
+
+/* Of an angle in the axes and its mirror images the one with the largest height:
+ * the section of an oblique cone is not perpendicular to its axis. */
+static inline angle highest_of(const principal_axes *axes, angle e,
+                               const elliptic_place *p)
+{
+    angle best = turned_back(axes, e.sin, e.cos);
+    if (p->slope == 0 ||
+        (cylint_dot(p->X, p->Z) == 0 && cylint_dot(p->Y, p->Z) == 0))
+        return best;
+    double height = height_at(p, best);
+    for (int i = 1; i < 4; i++) {
+        const angle other =
+            turned_back(axes, i & 1 ? -e.sin : e.sin, i & 2 ? -e.cos : e.cos);
+        const double h = height_at(p, other);
+        if (h > height) {
+            height = h;
+            best = other;
+        }
+    }
+    return best;
+}
+
 /* lint: the analyzer takes three rounds of EACH for one */
 /* Writes the angle, and its tangent plane.  rough: an angle with an error of
  * about CYLINT_ROUGH_ANGLE is enough.  Returns 0 if the iteration did not come
@@ -215,7 +247,7 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
     const angle e = secular_angle(
         ratio * long_way / r, short_way / r, axes.gap / axes.least,
         rough ? CYLINT_ROUGH_STEP : CYLINT_SECULAR_STEP);
-    *at = turned_back(&axes, e.sin, e.cos);
+    *at = highest_of(&axes, e, p);
     double by = 1;
     for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
         load_tangent_plane(t, p, *at);
@@ -225,7 +257,7 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                      slope = slope_of_height(t, p);
         by = -g / slope;
         if (!(slope < 0) || !(fabs(by) < CYLINT_LONGEST_STEP))
-            return 0;
+            by = copysign(CYLINT_STEP_UP, g);
         if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
             return 1;
         *at = turned_by(*at, by);

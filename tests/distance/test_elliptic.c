@@ -153,6 +153,29 @@ TEST(nearly_all_answers_are_certain_and_those_of_triples)
     }
 }
 
+/* Where h leans, the section of a cone is not perpendicular to its axis. */
+TEST(nearly_all_answers_in_leaning_cones_are_certain)
+{
+    static const char *const records[] = {
+        "ray 0 0 0  1 0 0  econe 0 0 0  1 0 0  0 0.7 0  0.5 0.25 1  0.5",
+        "ray 0 0 0  1 0 0  econe 0 0 0  1 0 0  0 0.7 0  1.5 0.75 1  0.5",
+        "ray 0 0 0  1 0 0  econe 0 0 0  1 0 0  0 0.7 0  1 0.5 1  0"};
+    enum { POINTS = 1000 };
+    for (int i = 0; i < 3; i++) {
+        const struct family_case c = case_of(records[i]);
+        struct tally sum = {0};
+        while (sum.n < POINTS) {
+            const double z = between(0, 1), x = between(-1, 1),
+                         y = between(-1, 1), *h = cylint_axis(&c.shape),
+                         r = 1 - (1 - cylint_r1(&c.shape)) * z;
+            const double p[3] = {z * h[0] + r * x, z * h[1] + 0.7 * r * y, z};
+            if (x * x + y * y < 0.98)
+                check_point(&c, p, 1, &sum);
+        }
+        CHECK((double)sum.left < most_of(sum.n, 0.002));
+    }
+}
+
 /* Of the points of the last test. */
 TEST(the_safety_is_close_to_the_distance)
 {
