@@ -72,14 +72,14 @@ static void load_upright(half_plane *m, const shape_lanes *s, const double x[3])
 
 /* ---------------------------------------------------------------- signs -- */
 
-enum { SIGN_UNDECIDED = 2 };
+/* The sign of x, or CYLINT_SIGN_UNDECIDED. */
 static int sign_within(pair x, double error)
 {
     const double v = rounded(x);
     return v > error                    ? 1
            : v < -error                 ? -1
            : fabs(v) <= 0 && error <= 0 ? 0
-                                        : SIGN_UNDECIDED;
+                                        : CYLINT_SIGN_UNDECIDED;
 }
 
 /* Whether x . y is certainly 0: no operation rounds, as with data of few digits. */
@@ -212,7 +212,7 @@ INLINE void nearest_to_side(vnearest *n, const half_plane *m,
         if (!round && y.hi == 0)
             without_error(n, m, rho, r);
     }
-    if (foot == 0 || foot == SIGN_UNDECIDED)
+    if (foot == 0 || foot == CYLINT_SIGN_UNDECIDED)
         n->feature = CYLINT_FEATURE_RIM0 + end;
 }
 
@@ -245,7 +245,7 @@ ASIDE void nearest_to_bounded(vnearest *n, half_plane *m, const shape_lanes *s,
     if (!((fabs(before) > M) & (fabs(after) > M))) {
         foot = sign_of_foot(m, s, shape, point, end, x[end]);
         /* A line that is not longer than the margin can begin and end here. */
-        n->certain = foot != SIGN_UNDECIDED && before + after < -4 * M;
+        n->certain = foot != CYLINT_SIGN_UNDECIDED && before + after < -4 * M;
     }
     nearest_to_side(n, m, s, x, kind, end, foot, caps >> end & 1);
     if (round || !caps)

@@ -101,9 +101,6 @@ static inline exact cylint_exact_of_rank(cylint_arena *arena, int64_t rank)
  * every floating-point environment.  Exported for libcylint-scene. */
 CYLINT_API double cylint_exact_nearest(exact x, int e);
 
-/* The double nearest to x y, likewise. */
-CYLINT_API double cylint_nearest_product(double x, double y);
-
 /* The same of (hi + lo) 2^e. */
 static inline double cylint_nearest_of_pair(cylint_arena *arena, pair x, int e)
 {
@@ -122,6 +119,9 @@ static inline double cylint_double_of_pair(cylint_arena *arena, pair x, int e)
                ? cylint_scaled(x.hi, e)
                : cylint_nearest_of_pair(arena, x, e);
 }
+
+/* The double nearest to x y, in every floating-point environment.  Exported, too. */
+CYLINT_API double cylint_nearest_product(double x, double y);
 
 /* The double nearest to x, and the one nearest to the rest; 0 beside an infinite
  * one.  Where nothing is subnormal, the relative error is below
