@@ -85,13 +85,14 @@ static int store_cylinder(cylint_leaf *leaf, int lane, const step_cylinder *h)
     return 1;
 }
 
-/* Stores the piece's index and count. */
-static void store_piece(cylint_leaf *leaf, int lane, cylint_shape_piece piece)
+/* Stores the piece's index and count and the shape's ends. */
+static void store_numbers(cylint_leaf *leaf, int lane, cylint_shape_piece piece,
+                          int ends)
 {
     const uint32_t count = (uint32_t)piece.count - 1; /* 1 is stored as 0 */
     leaf->p[0][lane] = count << 30;
     leaf->p[1][lane] = count >> 2 << 30;
-    leaf->r[lane] = (uint16_t)(piece.index << CYLINT_LEAF_R_BITS);
+    leaf->r[lane] = (uint16_t)((piece.index | ends << 4) << CYLINT_LEAF_R_BITS);
 }
 
 /*
@@ -185,7 +186,7 @@ void cylint_leaf_fill(cylint_leaf *leaf, const cylint_swept_disc *discs,
         const cylint_swept_disc *disc = discs + lane;
         const cylint_shape_piece piece = boxes[lane].piece;
         leaf->number[lane] = boxes[lane].number;
-        store_piece(leaf, lane, piece);
+        store_numbers(leaf, lane, piece, disc->ends);
         if (!bound_piece(leaf, lane, disc, piece, line_error))
             leaf->always |= (uint8_t)(1u << lane);
     }

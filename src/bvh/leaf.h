@@ -27,7 +27,7 @@ typedef struct cylint_leaf {
     /* from the lowest bits: x, y, z as CYLINT_LEAF_MIDDLE + steps, then two
      * bits of the piece's count - 1 */
     uint32_t p[2][CYLINT_LEAF_SIZE];
-    uint16_t r[CYLINT_LEAF_SIZE];      /* steps; the piece's index */
+    uint16_t r[CYLINT_LEAF_SIZE];      /* steps; the piece's index; ends */
     uint32_t number[CYLINT_LEAF_SIZE]; /* of the shape */
 } cylint_leaf;
 
@@ -60,6 +60,12 @@ static inline cylint_shape_piece cylint_leaf_piece(const cylint_leaf *b,
 static inline int cylint_leaf_used(const cylint_leaf *b)
 {
     return b->used & ~(CYLINT_LEAF_SOLID | CYLINT_LEAF_ROUND);
+}
+
+/* The shape's ends, a cylint_ends. */
+static inline int cylint_leaf_ends(const cylint_leaf *b, int lane)
+{
+    return b->r[lane] >> (CYLINT_LEAF_R_BITS + 4);
 }
 
 /* Steps per unit of length. */

@@ -56,6 +56,7 @@ void cylint_swept_disc_of(cylint_swept_disc *t, const cylint_view *view,
     t->across = 1;
     t->round = cylint_is_round(s->kind);
     t->along = t->round ? 1 : 0;
+    t->ends = s->ends;
     t->solid = s->kind == CYLINT_KIND_CYLINDER && s->ends == CYLINT_ENDS_CAPPED;
     t->shift = t->round ? cylint_section_shift(t->k[0], t->k[1], ww) : 0;
     if (s->kind == CYLINT_KIND_SPHERE)

@@ -24,6 +24,7 @@ typedef struct cylint_swept_disc {
     double a[3], b[3]; /* of elliptic shapes */
     int elliptic, round;
     int solid;    /* a cylinder with both caps */
+    int ends;     /* a cylint_ends */
     double shift; /* of a round shape: cylint_section_shift(); of one ball 1 */
 } cylint_swept_disc;
 

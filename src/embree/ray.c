@@ -87,12 +87,11 @@ static inline unsigned number_at(const ray_test *r, unsigned rank)
 }
 
 /* Sets the question whether the ray hits a piece of the shape. */
-CYLINT_INLINE void set_question(ray_test *r, cylint_shape_piece piece)
+CYLINT_INLINE void set_question(ray_test *r, int ends, cylint_shape_piece piece)
 {
-    const cylint_embree_shapes *s = r->data->shapes;
-    cylint_embree_record(s, r->rank, &r->q.record);
+    cylint_embree_record(&r->data->shapes[0], r->rank, &r->q.record);
     r->q.tfar = r->ray->tfar;
-    r->q.ends = s->tag[r->rank] / CYLINT_TAG_ENDS;
+    r->q.ends = ends;
     r->q.piece = piece;
     r->q.exit_only = 0;
 }
@@ -373,7 +372,8 @@ CYLINT_INLINE int take_nearest_lane(ray_test *r, const cylint_leaf *leaf,
     r->rank = leaf->number[lane];
     CYLINT_PREFETCH(r->data->number + r->rank);
     r->q.near = least[lane] > r->ray->tnear ? least[lane] : r->ray->tnear;
-    set_question(r, cylint_leaf_piece(leaf, lane));
+    set_question(r, cylint_leaf_ends(leaf, lane),
+                 cylint_leaf_piece(leaf, lane));
     return 1;
 }
 
@@ -401,7 +401,8 @@ static void test_primitive(ray_test *r)
     const cylint_embree_shapes *s = r->data->shapes;
     double along = 0, dd = 0;
     r->rank = r->args->primID;
-    set_question(r, (cylint_shape_piece){0, 1});
+    set_question(r, s->tag[r->rank] / CYLINT_TAG_ENDS,
+                 (cylint_shape_piece){0, 1});
     if (r->data->options.moved)
         cylint_embree_moving_record(s, r->rank, r->ray->time, &r->q.record);
     EACH(j, 3) {
