@@ -1,6 +1,10 @@
 /*
  * cylint_embree - cylinders and cones in an Embree scene, exactly
  *
+ *     RTCGeometry rods = cylint_embree_geometry(device, shapes, n, NULL, NULL);
+ *     rtcAttachGeometry(scene, rods);
+ *     rtcCommitScene(scene);
+ *
  * A user geometry for Embree 3 or 4 whose primitives are shapes of cylint.h.
  * cylint_embree_version() returns which Embree the library was built for.
  * Attach the geometry to any scene beside triangles and curves, instance it, and
@@ -26,8 +30,8 @@
  *              ends included; at equal t (as doubles) that of the lower number.
  *              A ray that starts inside a solid hits where it leaves.  Where
  *              every shape is a primitive (CYLINT_EMBREE_SINGLE and moving
- *              shapes) and one is hit at t = tfar, another counts too whose
- *              root is greater but rounds to that double.
+ *              shapes) and one is hit at t = tfar, another one whose root is
+ *              greater but rounds to that double counts as hit, too.
  *   tfar       the least float not below the double t of cylint_intersect(),
  *              which is correctly rounded; never a subnormal one, except the
  *              ray's own tfar.  What a filter function writes to it stays if
@@ -49,10 +53,10 @@
  * traversal for rays that begin within 4095 sizes of the box, where a size is
  * its longest side: by 2^-9 of a size, 2^-23 of the largest coordinate, and
  * 2^-124.  A ray from farther away that grazes the whole box may miss it (observed:
- * none of 10^5 rays from up to 10^6 sizes away did).  With CYLINT_EMBREE_SINGLE and
- * with moving shapes every shape has its own box, padded for rays that begin within
- * three sizes, by 2^-19 of a size in place of 2^-9.  A ray from farther away may
- * then hit another shape if the t of both are nearly the same float.  Around an
+ * none of 5.6 million did).  With CYLINT_EMBREE_SINGLE and with moving shapes every
+ * shape has its own box, padded for rays that begin within three sizes, by 2^-19 of
+ * a size in place of 2^-9.  A ray from farther away may then hit another shape if
+ * the t of both are nearly the same float.  Around an
  * instance Embree computes a box in floats, whose error grows with the distance of
  * the instance from the origin of coordinates: a ray that grazes the whole box may
  * miss it if that distance is more than 4095 sizes of the box, or three of a
