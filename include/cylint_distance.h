@@ -100,35 +100,11 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * differ by a thousand, an answer can take 2 milliseconds (observed).
  *
  * Elliptic kinds: the sign is exact, and the distance is 0 if and only if the point
- * is on the surface.  In rounding to nearest, where 90 bits prove it, part and
- * feature are exact, and the distance and each component of point and normal is the
- * double nearest to the real number.  That is proved for nearly all points, if the
- * lengths a, b, h and the vector from c to the point are below 2^100, components
- * are 0 or at least 2^-100, a, b and h differ in length by factors up to 1000, and
- * |a.(b x h)| is at least 2^-16 of its largest term.  It is not proved for a point
- * whose distances from two features, inside also from two points of the lateral
- * surface, differ by no more than rounding errors of doubles, and for many points
- * inside open ends and beside rims.
- *
- * Other answers are measured, not proved.  The lateral surface and each rim have at
- * most four stationary points.  All of them are computed in sums of three doubles,
- * so the nearest of several local minima is found.  Let L be the length of the
- * longest of a, b, h and the vector from c to the point.  In rounding to nearest,
- * if a, b and h differ in length by factors up to 1e12, |a.(b x h)| is at least
- * 2^-60 of the cube of the longest, and k is 0 or from 1e-6 to 1e6, a distance of
- * 2^-60 L or more is within 1 unit in its last place, and a smaller one has an
- * error of at most 2^-113 L.  Point, normal, part and feature are those of a point
- * whose distance exceeds the least one by at most 2^-113 L.  Their components are
- * within 4 units in their last places, but where they are below 2^-100 of their
- * terms (then they can be 0), where stationary points coincide, and where
- * components of the vector from c to the point are below 2^-900.  Of points with
- * equal distances on one ellipse the answer is the one with the least phi.  For
- * other shapes only the sign is right, and components of point and normal can be
- * NaN.
- *
- * A proved distance takes 0.4 to 0.6 microseconds (AVX2), with point and normal
- * 0.5 to 0.8, within 1e-10 of the surface 0.7 to 1.4; another one takes 6 to 16,
- * and up to 0.2 milliseconds where stationary points nearly coincide.
+ * is on the surface.  In rounding to nearest the answers are proved to be as for
+ * circular kinds at nearly all points of ordinary shapes; elsewhere their errors
+ * are measured.  For extreme shapes only the sign is right, and components of point
+ * and normal can be NaN.  cylint_distance(3), section Elliptic kinds, states which
+ * points and shapes these are, the measured errors, and how long an answer takes.
  */
 CYLINT_API double cylint_distance(const cylint_shape *shape,
                                   const double point[3], unsigned want,
@@ -142,14 +118,17 @@ CYLINT_API double cylint_distance(const cylint_shape *shape,
  * cylint_distance() sets a flag.
  *
  * Let d be the absolute distance and R the length of the axis plus the larger
- * radius; of a sphere the radius.  In rounding to nearest the result for circular
- * and round kinds is at most E = 16 * 2^-52 (d + R) below d: some units in the
- * last place of the point's coordinates relative to the shape, not of d.  For
- * infinite ends |P - base| * 1.42 takes the place of d in E.  The result is the
- * double below d, or 0 if d is 0, where the bound so computed is not above 0,
- * where E is below 2^-1073, and for cap0, cap1, nappe, angle cones, half-spaces
- * and round kinds that are not capped.  In other rounding modes, and of a library
- * that neither gcc nor clang compiled, it is always that, and no cheaper than d.
+ * radius; of a sphere the radius.  For circular and round kinds the result is at
+ * most E = 16 * 2^-52 (d + R) below d: some units in the last place of the point's
+ * coordinates relative to the shape, not of d.  For infinite ends |P - base| * 1.42
+ * takes the place of d in E.
+ *
+ * In these cases the result is the double below d, or 0 if d is 0, and takes as
+ * long as the distance: the bound that is computed otherwise is not above 0; E is
+ * below 2^-1073; the ends are cap0, cap1 or nappe; angle cones, half-spaces, and
+ * round kinds that are not capped; rounding is not to nearest; neither gcc nor
+ * clang compiled the library.  cylint_distance(3), section Safety, has elliptic
+ * kinds.
  */
 CYLINT_API double cylint_safety(const cylint_shape *shape,
                                 const double point[3]);
@@ -207,11 +186,10 @@ CYLINT_API void cylint_on_surface_pairs(const cylint_shape *shapes,
  * ones the lowest number.  A refused shape and one without a surface do not count,
  * nor does any shape if the point is not finite.  Writes the wanted members of its
  * answer as cylint_distance() does.  Returns n, and writes nothing, if there is
- * none.
- * Compares the doubles that cylint_distance() returns, but computes none for a
- * shape whose bounding ball is farther away than the least one so far.  So an
- * elliptic shape of whose distance only the sign is right, see cylint_distance(),
- * can be left out where its double is the least: if the real distance is greater.
+ * none.  Compares the doubles that cylint_distance() returns, but computes none for
+ * a shape whose bounding ball is farther away than the least one so far.  So an
+ * extreme elliptic shape, see cylint_distance(), can be left out although its
+ * double is the least, if that double is wrong and the real distance is greater.
  * `point` must not be a member of *answer.  Where shapes overlap, the nearest
  * surface may lie inside another shape: cylint_scene(3), section Overlapping
  * shapes. */

@@ -296,9 +296,9 @@ CYLINT_API size_t cylint_scene_contains(const cylint_scene *scene,
 /*
  * Distances of points.  The functions below return what a loop over all shapes
  * returns, bit for bit.  `want` decides which distances they compare.  They compute
- * none for a shape whose boxes are too far away.  So an elliptic shape of whose
- * distance only the sign is right, see cylint_distance(), can be left out where the
- * loop includes it: if the real distance is greater than the double.
+ * none for a shape whose boxes are too far away.  So an extreme elliptic shape, see
+ * cylint_distance(), can be left out although the loop includes it, if its double
+ * is wrong and the real distance is greater.
  *
  * Without CYLINT_SIGNED: the absolute values of the doubles that
  * cylint_distance() of cylint_distance.h returns: of the distance to the surface,
