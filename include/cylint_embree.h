@@ -111,7 +111,7 @@
  * and so do most round cones of which one ball holds the other, and a shape with a
  * number other than 0 below 2^-149; beside such shapes all take 65.  Moving shapes
  * take twice as much.  If shapes are not primitives of their own, each takes 8 for
- * its order and a share of the hierarchy, as large as in a scene (cylint_scene.h).
+ * its order and a share of the hierarchy, as in a scene (cylint_scene(3), MEMORY).
  * All memory is allocated from the device as buffers: its memory monitor counts it
  * and may refuse it.
  */

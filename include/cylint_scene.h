@@ -66,10 +66,7 @@ CYLINT_API const char *cylint_scene_strerror(int status);
  * numbers are 0, 1, ... in the order in which they are added.  Until the scene is
  * finished, only one thread may use it, and queries must not be made.
  *
- * A shape takes 65 bytes (an elliptic one 113) and a share of the hierarchy: some
- * 20 bytes for a thick shape, up to 80 for a thin one, which is cut into slices,
- * and some 170 for a needle.  A shape beside the hierarchy takes some 510, a scene
- * without shapes 4 kB.  While it is built, a scene takes up to 1.7 times as much.
+ * A shape takes some 100 bytes; cylint_scene(3), MEMORY, has more.
  */
 
 /* Returns an empty scene, or NULL if there is no memory.  expected: the number of
@@ -133,8 +130,8 @@ CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
 /*
  * Moves shapes: shapes[0..n-1] take the places of shapes [first, first + n), and
  * queries return what those of a new scene do.  Boxes are made larger or smaller;
- * the tree above them stays, so lines take longer the more the shapes lie among
- * other neighbours than before: see cylint_scene_worsening().
+ * the tree above them stays, so queries take longer if shapes move away from their
+ * neighbours: see cylint_scene_worsening().
  *
  * Uses one thread and, while it works, 4 to 32 bytes for each shape of the scene.
  * A few shapes that stay within the box of all cost least; if one leaves it, all
@@ -143,9 +140,8 @@ CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
  * EUNFINISHED and EOPENED: not such a scene.  ESIZE: first + n is more than the
  * number of shapes.  EREPLACE: a shape is elliptic and the one before is not, or
  * the reverse; the constructor refused one of them, not the other; or a shape is
- * unbounded or has points beyond 2^400 where the scene was made with a shape that
- * is not so.  From 2^398 on, depending on the shape, points can be such points.  A
- * failure, EMEMORY too, changes nothing.
+ * unbounded or has points beyond 2^400 (some shapes: 2^398), and the one with which
+ * the scene was made has not.  A failure, EMEMORY too, changes nothing.
  */
 CYLINT_API cylint_scene_status cylint_scene_refit(cylint_scene *scene,
                                                   size_t first, size_t n,
@@ -201,9 +197,9 @@ enum {
 /* Writes a finished scene to a file: writes PATH.NUMBER.new, which then takes the
  * place of PATH, or of the file to which a link PATH leads, and keeps that file's
  * permissions and, if the system allows it, its owner.  A pipe or a device is
- * written directly, and so is a file to which a link leads, if it is new or has no
- * name (/dev/stdout).  EFILE: errno has the reason, and PATH.NUMBER.new is
- * removed. */
+ * written directly, and so is the file of a link that does not exist yet or has no
+ * name any more, as /dev/stdout may.  EFILE: errno has the reason, and
+ * PATH.NUMBER.new is removed. */
 CYLINT_API cylint_scene_status cylint_scene_save(const cylint_scene *scene,
                                                  const char *path);
 
@@ -452,16 +448,17 @@ typedef struct cylint_workspace {
  * Writes the pieces of a line, ascending, at most `capacity`, and returns how many.
  * If it returns `capacity`, more may follow: call again with line->tmin = the last
  * t1; for chords, which may overlap, with the same line and rule->after = the last.
- * The pieces are then those that one call returns.  A capacity of a few is faster:
- * the line is traversed only so far.  Where most chords begin before the first
- * pieces end, it takes up to eight times as long.
+ * The pieces are then those that one call returns.  A capacity of up to 4 is
+ * faster, except for chords: only a part of the line is searched.  If most chords
+ * begin in that part, it takes up to eight times as long as one call for all
+ * pieces.
  *
  * Returns CYLINT_NO_ROOM if the workspace does not suffice, and writes how many
- * bytes to try next, which is more than before.  A chord takes 48 bytes, in a
- * scene with solids about 150, and 128 more for each further solid that its shape
- * is a member of.  An unbounded member of a bounded solid takes at most 256 with
- * its chords, and a complement in an unbounded solid 48 besides them.
- * A refused line has no pieces.
+ * bytes to try next, which is more than before.  A chord takes 48 bytes, in a scene
+ * with solids about 150, and 128 more for each further solid that its shape is a
+ * member of.  An unbounded member of a bounded solid takes at most 256, its chords
+ * included.  A complement in an unbounded solid takes 48 more than its chords. A
+ * refused line has no pieces.
  */
 CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
                                       const cylint_line *line,
@@ -481,10 +478,11 @@ CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
  * otherwise those of cylint_intersect().  On a complement side and normal are the
  * opposite of the shape's; cylint_describe() and cylint_outside() need the shape's,
  * and cylint_describe() a shape with both caps.
- * If surfaces of several of the solid's shapes have this t, the shape is the one
- * with the lowest number of those that the line enters where it enters the solid,
- * and leaves where it leaves it; for complements the other way round.  A shape
- * both of whose roots round to t does not count.
+ * Several of the solid's shapes can have a surface at this t.  If the line enters
+ * the solid, those count that it enters, and complements that it leaves; if it
+ * leaves the solid, those that it leaves, and complements that it enters.  Of these
+ * the shape is the one with the lowest number.  A shape both of whose roots round
+ * to t does not count.
  *
  * The workspace: as for cylint_scene_pieces().  If it does not suffice,
  * CYLINT_NO_ROOM.
