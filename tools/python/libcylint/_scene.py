@@ -260,8 +260,8 @@ class Scene:
         open it share its memory.  It must not be shortened or rewritten in place
         as long as the scene is used; `save` does not do that.
         read: read the file into memory of this process instead.
-        trusted: check only that the file is complete, not all of it, which takes
-        0.05 s for 100 MB.  A file that is damaged can then make queries crash.
+        trusted: check only that the file is complete.  The full check takes 0.05 s
+        for 100 MB; without it a damaged file can make queries crash.
         threads: for queries without their own number; None: one per processor.
 
         Raises OSError if the file cannot be read, ValueError if it is no saved
@@ -371,9 +371,10 @@ class Scene:
         """Sets solids made of shapes, in place of those before.
 
         shape, solid, clause: integers that broadcast to one axis.  Shape number
-        `shape` is a member of a clause of solid number `solid`; of a negative
-        clause its complement is.  A point is in a solid if each clause has a member
-        that contains the point.  A shape in no solid is itself a solid.
+        `shape` is a member of a clause of solid number `solid`; if the clause is
+        negative, the complement of the shape is the member.  A point is in a solid
+        if each clause has a member that contains the point.  A shape in no solid is
+        itself a solid.
         `solid` only distinguishes solids: 0 to the number of rows - 1.  The number
         of a solid in answers is the least of its shapes that are not complements;
         if there is none, the least of its shapes.
@@ -451,13 +452,13 @@ class Scene:
         """The lengths of each line inside solids, added by label.
 
         Arguments as for `pieces`.
-        labels: (len(scene),) integers from 0; shapes with a negative one, or with
-        `columns` or more, are not counted.  np.unique(names, return_inverse=True)[1]
-        are those of names.  The answer is (..., columns), one column a label;
-        columns: by default 1 more than the greatest label, whether or not the labels
-        between are used.  It takes 8 bytes for each line and column.  labels=None:
-        all shapes count, with the label 0; without columns the answer is (...).
-        units: "length" in those of the scene; "t": in units of the directions.
+        labels: (len(scene),) integers; None: 0 for all shapes.  Shapes with a label
+        below 0, or of `columns` or more, are not counted.
+        np.unique(names, return_inverse=True)[1] makes labels of names.
+        columns: the number of labels; None: 1 more than the greatest label.
+        units: "length": in the unit of the scene; "t": in multiples of directions.
+        The answer is (..., columns), 8 bytes for each line and label; without
+        labels and columns (...).
 
         Each sum is rounded once, and once more for "length"; inf if a piece is
         infinite.
