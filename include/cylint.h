@@ -88,8 +88,8 @@ typedef enum cylint_status {
     CYLINT_ERADIUS,     /* a radius is negative, or all radii are zero */
     CYLINT_EANGLE,      /* the half angle is not in the open interval (0, 90)
                            degrees, or its tangent rounds to 0 */
-    CYLINT_EENDS,       /* `ends` is not a value of cylint_ends, or one that the
-                           kind of shape does not have */
+    CYLINT_EENDS,       /* `ends` is not a value of cylint_ends, or the kind of
+                           shape does not have these ends */
     CYLINT_EDIRECTION,  /* the direction or the segment has length 0 */
     CYLINT_EDOMAIN,     /* tmin > tmax, or one of them is NaN */
     CYLINT_EMETHOD,     /* a published method does not support the shape or
@@ -215,10 +215,10 @@ CYLINT_API cylint_status cylint_capsule(cylint_shape *shape, const double p0[3],
  *
  * The lateral surface of a capsule and a round cone ends at the circles on
  * which it touches the balls.  The circles are part of it.  The parts CAP0 and
- * CAP1 are the rest of the balls about p0 and p1; z is below 0 and above 1
- * there.  If the radii differ, the circles are not in the planes z = 0 and z = 1,
- * and next to them z of a cap can be from 0 to 1, z of the lateral surface below
- * 0 or above 1.
+ * CAP1 are the other parts of the spheres about p0 and p1; on the caps of a
+ * capsule z is below 0 or above 1.  If the radii differ, the circles are not in the
+ * planes z = 0 and z = 1, and next to them z of a cap can be from 0 to 1, z of the
+ * lateral surface below 0 or above 1.
  */
 CYLINT_API cylint_status cylint_round_cone(cylint_shape *shape,
                                            const double p0[3], double r0,
@@ -227,7 +227,7 @@ CYLINT_API cylint_status cylint_round_cone(cylint_shape *shape,
 
 /* All points x with (x - p).n <= 0: n points out, and need not have length 1.  The
  * shape is unbounded: its `ends` are CYLINT_ENDS_INFINITE.  Its surface, a plane,
- * is the part lateral; z and phi of a hit are 0.  A line has one hit; a line
+ * is the part lateral; z and phi of a hit are 0.  A whole line has one hit; a line
  * parallel to the plane has none: inside it is `cross`, in the plane `along`,
  * outside `miss`.  The box is infinite, but ends at the plane if n has only one
  * component that is not 0.  Published methods (cylint_methods.h) refuse it.
@@ -419,12 +419,12 @@ CYLINT_API int cylint_intersect(const cylint_shape *shape,
                                 const cylint_line *line, unsigned want,
                                 cylint_answer *answer);
 
-/* Completes a hit whose t, part and side were written by a query of the same
- * shape and line, cylint_intersect(), cylint_nearest() or a query of a scene other
- * than cylint_scene_first_boundary(): writes the other wanted members, with the
- * bits of cylint_intersect().  Members that are not wanted keep their values.  So a
- * program that finds many hits describes only the one that it uses.  If no hit of
- * the line has this t, part and side, nothing is promised of the values. */
+/* Writes the other wanted members of a hit whose t, part and side a query of the
+ * same shape and line has written, with the bits of cylint_intersect().  The query
+ * is cylint_intersect(), cylint_nearest() or one of a scene other than
+ * cylint_scene_first_boundary().  Members that are not wanted keep their values.
+ * So a program that finds many hits describes only the one that it uses.  If no
+ * hit of the line has this t, part and side, nothing is promised of the values. */
 CYLINT_API void cylint_describe(const cylint_shape *shape,
                                 const cylint_line *line, unsigned want,
                                 cylint_hit *hit);
@@ -451,18 +451,24 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  * query other than cylint_scene_first_boundary(), whose normal is that of a solid.
  * `point` may be a member of *hit, such as hit->point.
  *
- * Returns 1.  The point is hit->point itself if that is so; else the
- * nearest of the points that differ from it by k or 0 steps of the doubles in
- * each coordinate, towards the side, for the least k from 1 to 4; else a point
- * further along the normal; else, on the inside, towards the middle of the
- * shape; else along a diagonal of the coordinates, as at the apex of a double
- * cone.  Returns 0 and writes hit->point if none of these is finite and on the
- * side.  This happens for side 1 if the solid is thinner than the steps of the
- * doubles, or if the shape was refused; for side -1 between the nappes of a double
- * cone, where they are nearer to each other than these steps, and where the outside
- * is beyond the largest double; perhaps if hit->point is infinite.  Where
- * subnormal numbers are flushed to zero, it can happen if all coordinates of the
- * hit are below 2^-969 in absolute value.
+ * Returns 1 and writes the first of these points that is finite and on the side:
+ *
+ *   - hit->point itself;
+ *   - the nearest of the points that differ from it by k or 0 steps of the doubles
+ *     in each coordinate, towards the side, for the least k from 1 to 4;
+ *   - a point further along the normal;
+ *   - for side 1, a point towards the middle of the shape;
+ *   - a point along a diagonal of the coordinates, as at the apex of a double cone.
+ *
+ * Returns 0 and writes hit->point if there is none.  This happens
+ *
+ *   - for side 1, if the solid is thinner than the steps of the doubles, or if the
+ *     shape was refused;
+ *   - for side -1, between the nappes of a double cone, where they are nearer to
+ *     each other than these steps, and where the outside is beyond the largest
+ *     double;
+ *   - perhaps if hit->point is infinite, or if subnormal numbers are flushed to
+ *     zero and all coordinates of the hit are below 2^-969 in absolute value.
  *
  * It takes up to some 0.3 ms at the apex of a double cone and where a shape is hit
  * from 1e16 times its size away, and up to 10 ms if exponents of the numbers differ
