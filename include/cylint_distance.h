@@ -26,9 +26,9 @@ typedef enum cylint_feature {
                                    the surface of a sphere */
     CYLINT_FEATURE_CAP0,        /* a cap or a round end, without its rim */
     CYLINT_FEATURE_CAP1,
-    CYLINT_FEATURE_RIM0, /* the circles where the lateral surface ends.  Of a
-                            capsule and a round cone: the circles on which it
-                            touches the balls */
+    CYLINT_FEATURE_RIM0, /* the circles or ellipses where the lateral surface
+                            ends.  Of a capsule and a round cone: the circles
+                            on which it touches the balls */
     CYLINT_FEATURE_RIM1,
     CYLINT_FEATURE_APEX /* the point where a cone has the radius 0; an end of a
                            round cone whose radius is 0 */
