@@ -49,22 +49,24 @@
  * one, by their floats.  To Embree a geometry is one primitive with one box; the
  * adapter traverses its own hierarchy inside and misses no hit, wherever a ray
  * begins.  Embree's own traversal uses floats, and RTC_SCENE_FLAG_ROBUST has no
- * effect on user geometries.  So the box is padded by the error of that
- * traversal for rays that begin within 4095 sizes of the box, where a size is
- * its longest side: by 2^-9 of a size, 2^-23 of the largest coordinate, and
- * 2^-124.  A ray from farther away that grazes the whole box may miss it (observed:
- * none of 5.6 million did).  With CYLINT_EMBREE_SINGLE and with moving shapes every
- * shape has its own box, padded for rays that begin within three sizes, by 2^-19 of
- * a size in place of 2^-9.  A ray from farther away may then hit another shape if
- * the t of both are nearly the same float.  Around an
- * instance Embree computes a box in floats, whose error grows with the distance of
- * the instance from the origin of coordinates: a ray that grazes the whole box may
- * miss it if that distance is more than 4095 sizes of the box, or three of a
- * shape's own box (observed: none of 10^5 rays up to 10^4 sizes, or ten).  Embree
- * replaces a component of dir below 1e-18 by 1e-18, so dir as a whole must be far
- * larger.  A ray that hits where t is below 2^-126, the least normal float, may
- * miss the box (observed: one of 100 in packets).  cylint_scene.h has no such
- * limits.
+ * effect on user geometries.  So a ray that only grazes a box may miss it:
+ *   - The box of a geometry is padded by the error for rays that begin within 4095
+ *     sizes of it, where a size is its longest side: by 2^-9 of a size, 2^-23 of
+ *     the largest coordinate, and 2^-124.  (Observed: none of 5.6 million rays from
+ *     farther away missed it.)
+ *   - With CYLINT_EMBREE_SINGLE and with moving shapes every shape has its own box,
+ *     padded for rays that begin within three sizes, by 2^-19 of a size in place of
+ *     2^-9.  A ray from farther away may hit another shape if the t of both are
+ *     nearly the same float.
+ *   - Around an instance Embree computes a box in floats, whose error grows with
+ *     the distance of the instance from the origin of coordinates.  A ray may miss
+ *     it if that distance is more than 4095 sizes of the box, or three of a shape's
+ *     own box (observed: none of 10^5 rays up to 10^4 sizes, or ten).
+ *   - Embree replaces a component of dir below 1e-18 by 1e-18, so dir as a whole
+ *     must be far larger.
+ *   - A ray that hits where t is below 2^-126, the least normal float, may miss the
+ *     box (observed: one of 100 in packets).
+ * cylint_scene.h has no such limits.
  *
  * Filters.  The filter of the geometry gets the entry hit and, if it rejects
  * that, the exit hit, always with N = 1 and all members of the hit written.  The
@@ -164,7 +166,8 @@ CYLINT_API const char *cylint_embree_strerror(int status);
 /* Returns 3 or 4, the major version of Embree that the library was built for. */
 CYLINT_API int cylint_embree_version(void);
 
-/* Flags of a geometry.  They do not change which shape is hit, nor t. */
+/* Flags of a geometry.  They do not change which shape is hit, nor t, except
+ * CYLINT_EMBREE_SINGLE at t = tfar, as stated above. */
 enum {
     /* Each shape is a primitive of its own, for comparison, instead of the
      * adapter's hierarchy. */
