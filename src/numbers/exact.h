@@ -120,7 +120,7 @@ static inline double cylint_double_of_pair(cylint_arena *arena, pair x, int e)
                : cylint_nearest_of_pair(arena, x, e);
 }
 
-/* The double nearest to x y, in every floating-point environment.  Exported, too. */
+/* The double nearest to x y, in every floating-point environment; exported, too. */
 CYLINT_API double cylint_nearest_product(double x, double y);
 
 /* The double nearest to x, and the one nearest to the rest; 0 beside an infinite
