@@ -14,8 +14,8 @@
  * is near.
  */
 
-/* What rounds to the same double as all numbers within the error; others have
- * low < high. */
+/* x, and x rounded less and plus the error: low is high where all numbers within
+ * the error round to the same double. */
 INLINE vdistance NUMBER(rounded)(vpair x, vd error)
 {
     const vpair y = NUMBER(trimmed)(x);
@@ -101,7 +101,8 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
     if (with_part)
         find_feature(n, m, &p);
     NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
-    /* Of a cone that is nearly a disc, `low` of a plane can be the same. */
+    /* Of a cone that is nearly a disc, line and plane can have the same `low`:
+     * the nearest point needs the value of its feature. */
     if (with_part && tapered)
         n->d.value =
             pick(is_feature(n, CYLINT_FEATURE_LATERAL), lateral, n->d.value);

@@ -11,16 +11,15 @@
  * the lateral surface is the largest of these heights: outside by convexity, and
  * inside because every tangent plane is farther than the surface.
  *
- * Both this and the distance from a rim are the distance in a plane of a point
- * and an ellipse, but for oblique cones, where it is nearly that.  With the
- * principal axes A > B of the ellipse and the point (X, Y) of its plane, the
- * nearest point is (A cos, B sin) with
+ * Of a cylinder this is the distance of a point from an ellipse in a plane, of a
+ * cone nearly that.  A rim is the ellipse of a right cylinder (project_on_end()).
+ * With the principal axes A > B of the ellipse and the point (X, Y) of its plane,
+ * the nearest point is (A cos, B sin) with
  *     cos = A X / (s + A^2), sin = B Y / (s + B^2), cos^2 + sin^2 = 1.
  * This has one root s > -B^2, that of the nearest point of all: it is computed as
  * that of sqrt(cos^2 + sin^2) = 1, whose inverse is nearly a straight line, by
  * Newton's iteration from the left.  [Eberly 2013, "Distance from a point to an
- * ellipse".]  Newton's iteration on the height gives the digits of that on the
- * lateral surface.
+ * ellipse".]  Of a cone, Newton's iteration on the height follows.
  *
  * Whether it is the nearest of all does not depend on that iteration: see
  * elliptic_certainty.h.
@@ -96,6 +95,31 @@ static inline void locate(elliptic_place *p, const cylint_shape *s,
     p->z_error = u * cylint_norm(s) * unit * sum_of_sizes(p->D) + u;
 }
 
+/* Moves the point along the perpendicular into the plane of an end, and makes the
+ * lateral surface that of the right cylinder over the rim: its nearest point is
+ * then that of the rim.  z stays that of the point. */
+static inline void project_on_end(elliptic_place *p, const cylint_shape *s,
+                                  int end)
+{
+    const double xx = cylint_dot(p->X, p->X), yy = cylint_dot(p->Y, p->Y),
+                 length = 1 / p->z_norm, up = (end ? p->z - 1 : p->z) * length,
+                 xz = cylint_dot(p->X, p->Z) * length,
+                 yz = cylint_dot(p->Y, p->Z) * length;
+    p->error = 4 * (p->error + p->norm * length * p->z_error) +
+               8 * p->relative * p->norm * fabs(up);
+    EACH(i, 3) {
+        p->X[i] -= xz * length * p->Z[i];
+        p->Y[i] -= yz * length * p->Z[i];
+    }
+    p->x -= up * xz;
+    p->y -= up * yz;
+    p->rho = cylint_end_factor(s, end);
+    p->slope = 0;
+    const double x = cylint_dot(p->X, p->X), y = cylint_dot(p->Y, p->Y);
+    p->norm = sqrt(x + y);
+    p->relative *= 8 * sqrt(cylint_larger(xx * y, yy * x) / (x * y));
+}
+
 /* The vector from base + share h to the point. */
 static inline void load_from_axis(double F[3], const elliptic_place *p,
                                   const cylint_shape *s, double share)
@@ -164,7 +188,7 @@ CYLINT_INLINE angle turned_back(const principal_axes *p, double of_most,
 typedef struct {
     double n, slope_of_n;    /* n' */
     double U[3], V[3], N[3]; /* U' = V */
-    double q, half_q;        /* N.N, N.V */
+    double q, half_q, size;  /* N.N, N.V, |N| */
 } tangent_plane;
 
 CYLINT_INLINE void load_tangent_plane(tangent_plane *t, const elliptic_place *p,
@@ -179,6 +203,7 @@ CYLINT_INLINE void load_tangent_plane(tangent_plane *t, const elliptic_place *p,
     t->slope_of_n = at.cos * p->y - at.sin * p->x;
     t->q = cylint_dot(t->N, t->N);
     t->half_q = cylint_dot(t->N, t->V);
+    t->size = sqrt(t->q);
 }
 
 /* g = n' N.N - n N.V is 0 at the nearest point.  Its derivative. */
@@ -204,7 +229,7 @@ CYLINT_INLINE double height_at(const elliptic_place *p, angle at)
 {
     tangent_plane t;
     load_tangent_plane(&t, p, at);
-    return t.n / sqrt(t.q);
+    return t.n / t.size;
 }
 
 /* Of an angle in the axes and its mirror images the one with the largest height:
@@ -244,11 +269,14 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                  long_way = axes.c * p->y - axes.s * p->x;
     const double ratio = axes.most / axes.least;
     const double r = p->rho > p->error ? p->rho : p->error;
-    const angle e = secular_angle(
-        ratio * long_way / r, short_way / r, axes.gap / axes.least,
-        rough ? CYLINT_ROUGH_STEP : CYLINT_SECULAR_STEP);
+    const int is_cone = p->slope != 0;
+    const double last = rough     ? CYLINT_ROUGH_STEP
+                        : is_cone ? CYLINT_SECULAR_STEP
+                                  : CYLINT_ANGLE_STEP;
+    const angle e = secular_angle(ratio * long_way / r, short_way / r,
+                                  axes.gap / axes.least, last);
     *at = highest_of(&axes, e, p);
-    double by = 1;
+    double by = is_cone ? 1 : 0;
     for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
         load_tangent_plane(t, p, *at);
         if (fabs(by) <= CYLINT_ANGLE_STEP)
@@ -263,37 +291,6 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
         *at = turned_by(*at, by);
     }
     return 0;
-}
-
-/* --------------------------------------------------------------- rims -- */
-
-/* The point F from the centre, and R = F - f u for an angle. */
-typedef struct {
-    double F[3], f;
-    double u[3], v[3], R[3]; /* u' = v */
-} rim_place;
-
-/* Writes the angle, and its place.  rough: as above. */
-ASIDE void find_rim_angle(angle *at, rim_place *r, const cylint_shape *s,
-                          const elliptic_place *p, int end, int rough)
-{
-    const double *a = cylint_a(s), *b = cylint_b(s);
-    r->f = cylint_end_factor(s, end);
-    load_from_axis(r->F, p, s, end);
-    const principal_axes axes =
-        axes_of(cylint_dot(a, a), cylint_dot(a, b), cylint_dot(b, b));
-    const double Fa = cylint_dot(r->F, a), Fb = cylint_dot(r->F, b);
-    const double least = axes.least * r->f;
-    const angle e = secular_angle(
-        (axes.c * Fa + axes.s * Fb) / least,
-        (axes.c * Fb - axes.s * Fa) / least, axes.gap / axes.least,
-        rough ? CYLINT_ROUGH_STEP : CYLINT_ANGLE_STEP);
-    *at = turned_back(&axes, e.cos, e.sin);
-    EACH(i, 3) {
-        r->u[i] = at->cos * a[i] + at->sin * b[i];
-        r->v[i] = at->cos * b[i] - at->sin * a[i];
-        r->R[i] = r->F[i] - r->f * r->u[i];
-    }
 }
 
 #endif

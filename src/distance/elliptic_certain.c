@@ -84,31 +84,39 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
 
 /* --------------------------------------------------------------- safety -- */
 
+/* The distance from the lateral surface in doubles, less its error: outside, no
+ * tangent plane is farther. */
+static double lateral_distance_less(const elliptic_question *q)
+{
+    const double n = q->plane.n;
+    return range_of_height(&q->plane, fabs(n), &q->at).least -
+           (n < 0 ? q->by.distance : 0);
+}
+
 /* The distance in doubles, less its error.  lint: the search for this feature wrote
  * what is read. */
-static double distance_in_doubles(const elliptic_question *q)
+static double distance_less(const elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
     const double u = CYLINT_ELLIPTIC_SAFETY_ERROR;
-    const double above = p->z > 1 ? p->z - 1 : -p->z,
-                 below = p->z < 0.5 ? p->z : 1 - p->z;
-    const double *R = q->rim.R;
-    double F[3];
+    const double along =
+        range_from_end(p, cylint_feature_end(q->feature)).least;
+    double F[3], out, up;
     switch (q->feature) {
     case CYLINT_FEATURE_LATERAL:
-        return plane_less(&q->plane, -q->side * q->plane.n, p) -
-               (q->side > 0 ? q->by.distance : 0);
+        return lateral_distance_less(q);
     case CYLINT_FEATURE_CAP0:
     case CYLINT_FEATURE_CAP1:
-        return height_less(above > 0 ? above : below, p->z_error, p->z_norm,
-                           4 * p->relative * p->z_norm);
+        return along;
     case CYLINT_FEATURE_APEX:
         load_from_axis(F, p, q->shape, apex_share(p));
         return sqrt(cylint_dot(F, F)) -
                u * (sum_of_sizes(p->D) +
                     fabs(apex_share(p)) * sum_of_sizes(cylint_axis(q->shape)));
     default:
-        return sqrt(cylint_dot(R, R)) - u * size_of_rim(q) - q->by.distance;
+        out = cylint_larger(lateral_distance_less(q), 0);
+        up = cylint_larger(along, 0);
+        return sqrt(out * out + up * up) * (1 - u);
     }
 }
 
@@ -117,7 +125,7 @@ static double elliptic_safety(const cylint_shape *shape, const double point[3])
     elliptic_question q;
     return locate_question(&q, shape, point, 1) &&
                    find_elliptic_feature(&q) != CYLINT_NO_FEATURE
-               ? distance_in_doubles(&q)
+               ? distance_less(&q)
                : 0;
 }
 

@@ -13,15 +13,18 @@
  * and the nearest point, below the tangent plane and in the ball of that radius, is
  * within sqrt(2 h d) + 2 d of the foot.
  *
- * Inside, h^2 < n^2 / N.N for all other angles is wanted, and from a rim
- * R.R is to be the least.  With h or R of this angle, and t the tangent of half the
- * turn from it,
- *     (n^2 - h^2 N.N) (1 + t^2)^2  and  (|F - f u|^2 - R.R) (1 + t^2)^2
- * are polynomials 4 g t (1 + t^2) + t^2 (K2 + K3 t + K4 t^2), where g is n l or
- * -f R.v.  Where K2 + K3 t + K4 t^2 >= k (1 + t^2) with k > 0, the square of the
+ * Inside, h^2 < n^2 / N.N for all other angles is wanted.  With h of this angle,
+ * and t the tangent of half the turn from it,
+ *     (n^2 - h^2 N.N) (1 + t^2)^2
+ * is a polynomial 4 g t (1 + t^2) + t^2 (K2 + K3 t + K4 t^2), where g is n l.
+ * Where K2 + K3 t + K4 t^2 >= k (1 + t^2) with k > 0, the square of the
  * distance is less than that at this angle by at most 4 g^2 / k, and the nearest
  * angle has t <= 4 g / k.  The lesser h changes K2 to K4 by less than k / 2 where
  * 8 l h |norm| <= k.
+ *
+ * R from a point of the rim, in whose plane the height is h, has the component w =
+ * |R.v| / |v| along the rim.  So the distance is less than |R| by at most w^2 / |R|
+ * and twice the bound for the height.
  *
  * Beside the lateral surface, on either side, let c = norm / |N| and 16 c (l +
  * 2 |n| c) <= rho.  A turn changes n by n' sin - 2 (n + rho) s^2, where s is
@@ -70,7 +73,7 @@ static inline double least_curvature(double p1, double p2, double p3, double p4,
 static inline double normal_error(const tangent_plane *t,
                                   const elliptic_place *p)
 {
-    return 4 * p->relative * p->norm / sqrt(t->q);
+    return 4 * p->relative * p->norm / t->size;
 }
 
 /* k for tangent planes and a point on the inner side of all. */
@@ -97,21 +100,10 @@ static inline double curvature_beside(const tangent_plane *t,
 {
     const double n = fabs(t->n) + p->error;
     return n <= CYLINT_CLOSE * p->rho &&
-                   16 * p->norm * (l * sqrt(t->q) + 2 * n * p->norm) <=
+                   16 * p->norm * (l * t->size + 2 * n * p->norm) <=
                        p->rho * t->q
                ? 4 * n * p->rho
                : 0;
-}
-
-static inline double rim_curvature(const rim_place *r)
-{
-    const double f = r->f, uu = cylint_dot(r->u, r->u),
-                 vv = cylint_dot(r->v, r->v);
-    const double size =
-        sum_of_sizes(r->F) + f * (sum_of_sizes(r->u) + sum_of_sizes(r->v));
-    return least_curvature(2 * f * cylint_dot(r->R, r->u), f * f * vv,
-                           -2 * f * f * cylint_dot(r->u, r->v), f * f * uu,
-                           CYLINT_CURVATURE_ERROR * size * size);
 }
 
 /* |N x V|: what the length of N times the turn of its direction gains by the
@@ -134,7 +126,7 @@ static inline uncertainty outside_lateral(const tangent_plane *t,
 {
     if (!(8 * l <= rho))
         return uncertain_angle;
-    const double size = sqrt(t->q), h = (fabs(t->n) + p->error) / size;
+    const double size = t->size, h = (fabs(t->n) + p->error) / size;
     const double deeper = l * l / (rho * size);
     const double away = 2 * (l * sqrt(h / (rho * size)) + deeper);
     /* what V and the gradient of rho gain along N, at most */
@@ -151,18 +143,11 @@ static inline uncertainty inside_lateral_surface(const tangent_plane *t,
                                                  const elliptic_place *p,
                                                  double l, double k)
 {
-    const double n = fabs(t->n) + p->error, size = sqrt(t->q), h = n / size;
+    const double n = fabs(t->n) + p->error, size = t->size, h = n / size;
     const double distance = 4 * h * l * l / k, turn = 16 * n * l / k;
     if (!(8 * l * h * p->norm <= k))
         return uncertain_angle;
     return (uncertainty){distance, distance + h * p->norm / size * turn, turn};
-}
-
-/* g: an upper bound. */
-static inline uncertainty of_rim(const rim_place *r, double g, double k)
-{
-    const double d = sqrt(cylint_dot(r->R, r->R));
-    return (uncertainty){4 * g * g / (k * d), 0, 16 * g / k};
 }
 
 #endif

@@ -5,7 +5,8 @@
  * shapes are convex.  Of a point outside, the nearest point of the solid is on the
  * lateral surface, if the foot of the perpendicular on it is between the ends; else
  * on the end beyond which the point is: on the cap, if the foot on its plane is in
- * the ellipse, else on the rim.  Of a point inside, no plane of a cap and no
+ * the ellipse, else on the rim.  In its plane the rim is the section of a right
+ * cylinder (project_on_end()).  Of a point inside, no plane of a cap and no
  * tangent plane is nearer than the surface, so it does not matter whether a foot is
  * within the ends.
  */
@@ -23,69 +24,71 @@ typedef struct {
     /* 1: within the lateral surface, -1: outside it, 0: uncertain: beside it or,
      * within it, beside the plane of an end */
     int side;
-    double room; /* rho less the distance from the axis, at least */
-    int rough;   /* a rough angle is enough */
+    int rough; /* a rough angle is enough */
     angle e;
     tangent_plane plane;
-    rim_place rim;
-    uncertainty by;   /* of the angle in doubles */
-    double curvature; /* 0: outside, not near the lateral surface */
+    double foot_z, foot_error; /* z of the foot on that plane, its error */
+    double foot_rho;           /* rho there, at least */
+    uncertainty by;            /* of the angle in doubles */
+    double curvature;          /* 0: outside, not near the lateral surface */
 } elliptic_question;
 
-/* n / |N|, less the errors of both. */
-static inline double height_less(double n, double error, double size,
-                                 double size_error)
+/* Bounds of a number. */
+typedef struct {
+    double least, most;
+} range;
+
+/* Of n / |N|, whose size is |N|. */
+static inline range range_of(double n, double error, double size,
+                             double size_error)
 {
-    return (n - error) /
-           (size * (1 + CYLINT_ELLIPTIC_SAFETY_ERROR) + size_error);
+    const double u = CYLINT_ELLIPTIC_SAFETY_ERROR;
+    return (range){(n - error) / (size * (1 + u) + size_error),
+                   (n + error) / (size * (1 - u) - size_error)};
 }
 
-/* The same for a tangent plane. */
-static inline double plane_less(const tangent_plane *t, double n,
-                                const elliptic_place *p)
+/* Of the height n / |N| over a tangent plane. */
+static inline range range_of_height(const tangent_plane *t, double n,
+                                    const elliptic_place *p)
 {
-    return height_less(n, p->error, sqrt(t->q), 4 * p->relative * p->norm);
+    return range_of(n, p->error, t->size, 4 * p->relative * p->norm);
 }
 
-/* The error of R of the rim is at most CYLINT_ELLIPTIC_SAFETY_ERROR of this. */
-static inline double size_of_rim(const elliptic_question *q)
+/* Of the distance from the plane of an end. */
+static inline range range_from_end(const elliptic_place *p, int end)
 {
-    const rim_place *r = &q->rim;
-    return sum_of_sizes(q->at.D) + sum_of_sizes(r->F) +
-           r->f * (sum_of_sizes(r->u) + sum_of_sizes(r->v));
+    return range_of(fabs(end ? p->z - 1 : p->z), p->z_error, p->z_norm,
+                    4 * p->relative * p->z_norm);
+}
+
+/* 1: the point is certainly within the section at its z, -1: outside, 0:
+ * uncertain. */
+static inline int side_of_section(const elliptic_place *p)
+{
+    const double r = sqrt(p->x * p->x + p->y * p->y);
+    return r > p->rho + p->error ? -1 : r < p->rho - p->error;
 }
 
 /* The error of l. */
 static inline double slope_error(const elliptic_question *q)
 {
-    const double ratio = q->at.norm / sqrt(q->plane.q);
+    const double ratio = q->at.norm / q->plane.size;
     return 4 * (1 + ratio) *
            (q->at.error + normal_error(&q->plane, &q->at) * fabs(q->plane.n));
 }
 
-/* z of the foot on the tangent plane is that of the point less `down`. */
-typedef struct {
-    double down, error;
-} foot_on_plane;
-
-static inline foot_on_plane drop_on_plane(const elliptic_question *q)
+static inline void load_foot(elliptic_question *q)
 {
     const tangent_plane *t = &q->plane;
     const elliptic_place *p = &q->at;
-    const double size = sqrt(t->q), h = fabs(t->n) / size;
-    return (foot_on_plane){
-        t->n / t->q * cylint_dot(t->N, p->Z),
+    const double down = t->n / t->q * cylint_dot(t->N, p->Z),
+                 h = fabs(t->n) / t->size;
+    q->foot_z = p->z - down;
+    q->foot_error =
         4 * p->z_norm *
-            (p->error / size +
-             h * (normal_error(&q->plane, &q->at) + p->relative))};
-}
-
-/* rho at the foot, at least. */
-static inline double rho_at_foot(const elliptic_question *q)
-{
-    const foot_on_plane foot = drop_on_plane(q);
-    return q->at.rho - q->at.slope * foot.down - q->at.error -
-           fabs(q->at.slope) * foot.error;
+        (p->error / t->size + h * (normal_error(t, p) + p->relative));
+    q->foot_rho =
+        p->rho - p->slope * down - p->error - fabs(p->slope) * q->foot_error;
 }
 
 /* The uncertainty for all l up to this one. */
@@ -93,22 +96,30 @@ ASIDE uncertainty uncertainty_of_plane(const elliptic_question *q, double l)
 {
     return q->curvature > 0
                ? inside_lateral_surface(&q->plane, &q->at, l, q->curvature)
-               : outside_lateral(&q->plane, &q->at, l, rho_at_foot(q));
+               : outside_lateral(&q->plane, &q->at, l, q->foot_rho);
 }
 
-/* Where the nearest point of the lateral surface is: below the base, between the
- * ends, beyond the top. */
-typedef struct {
-    int is_before, is_within, is_after;
-} foot_place;
+/* Where a number from 0 at the base to 1 at the top is: -1: below the base, 0:
+ * between the ends, 1: above the top. */
+static inline int zone_of(double z, double error)
+{
+    return z < -error                   ? -1
+           : z > 1 + error              ? 1
+           : z > error && z < 1 - error ? 0
+                                        : CYLINT_SIGN_UNDECIDED;
+}
 
-static inline foot_place place_of_foot(const elliptic_question *q)
+static inline int zone_of_point(const elliptic_place *p)
+{
+    return zone_of(p->z, p->z_error);
+}
+
+/* Of the nearest point of the lateral surface. */
+static inline int zone_of_foot(const elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
-    const foot_on_plane foot = drop_on_plane(q);
-    const double z = p->z - foot.down;
-    const double error = foot.error + 4 * (p->z_error + p->z_norm * q->by.away);
-    return (foot_place){z<-error, z> error && z<1 - error, z> 1 + error};
+    return zone_of(q->foot_z,
+                   q->foot_error + 4 * (p->z_error + p->z_norm * q->by.away));
 }
 
 /* lint: the analyzer takes three rounds of EACH for one */
@@ -117,6 +128,7 @@ static inline int find_on_lateral(elliptic_question *q)
 {
     if (!find_lateral_angle(&q->e, &q->plane, &q->at, q->rough))
         return 0;
+    load_foot(q);
     const tangent_plane *t = &q->plane;
     const double l =
         fabs(t->slope_of_n - t->n * t->half_q / t->q) + slope_error(q);
@@ -125,36 +137,7 @@ static inline int find_on_lateral(elliptic_question *q)
         q->curvature = inner_curvature(t, &q->at);
     q->by = uncertainty_of_plane(q, l);
     return normal_error(&q->plane, &q->at) < 0x1p-10 &&
-           (q->curvature > 0 || (q->side < 0 && rho_at_foot(q) > 0));
-}
-
-static inline int find_on_rim(elliptic_question *q, int end)
-{
-    find_rim_angle(&q->e, &q->rim, q->shape, &q->at, end, q->rough);
-    const rim_place *r = &q->rim;
-    const double g = r->f * (fabs(cylint_dot(r->R, r->v)) +
-                             CYLINT_ELLIPTIC_SAFETY_ERROR * size_of_rim(q) *
-                                 sum_of_sizes(r->v));
-    q->curvature = rim_curvature(r);
-    if (!(q->curvature > 0))
-        return CYLINT_NO_FEATURE;
-    q->by = of_rim(r, g, q->curvature);
-    return CYLINT_FEATURE_RIM0 + end;
-}
-
-/* Whether the foot of the perpendicular on the plane of an end is in the ellipse:
- * 1, 0, or -1 where it is not certain. */
-static inline int is_over_end(const elliptic_question *q, int end)
-{
-    const elliptic_place *p = &q->at;
-    const double up = (end ? p->z - 1 : p->z) / (p->z_norm * p->z_norm);
-    const double x = p->x - up * cylint_dot(p->Z, p->X),
-                 y = p->y - up * cylint_dot(p->Z, p->Y);
-    const double f = cylint_end_factor(q->shape, end);
-    const double error = 4 * (p->error + p->norm / p->z_norm * p->z_error) +
-                         8 * p->relative * p->norm * p->z_norm * fabs(up);
-    const double r = sqrt(x * x + y * y);
-    return r < f - error ? 1 : r > f + error ? 0 : -1;
+           (q->curvature > 0 || (q->side < 0 && q->foot_rho > 0));
 }
 
 /* The apex is at h times this from the base. */
@@ -174,7 +157,7 @@ static inline int are_feet_beyond(const elliptic_question *q, double share,
 {
     const double *a = cylint_a(q->shape), *b = cylint_b(q->shape),
                  *h = cylint_axis(q->shape);
-    const double k1 = q->at.slope;
+    const double k1 = cylint_r1(q->shape) - 1;
     double F[3];
     load_from_axis(F, &q->at, q->shape, share);
     const double of_a = k1 * cylint_dot(F, a) - f * cylint_dot(a, h),
@@ -191,46 +174,40 @@ static inline int are_feet_beyond(const elliptic_question *q, double share,
            error;
 }
 
-/* The rim of an end without a cap, from within the lateral surface beyond it, if
- * it is nearest on every ruling and nearer than the plane of another cap. */
-static inline int feature_of_open_end(elliptic_question *q, int end)
+/* Whether the rim of an end without a cap, from within its right cylinder, is
+ * nearest: on every ruling, and nearer than the plane of another cap. */
+static inline int is_open_rim_nearest(const elliptic_question *q, int end)
 {
     const elliptic_place *p = &q->at;
-    const int is_open = cylint_caps_present(q->shape->ends) == 0;
-    const double f = cylint_end_factor(q->shape, end);
-    /* untaken 1 of 4: no known point is over the apex */
-    if (cylint_sign(f) == 0 || !are_feet_beyond(q, end, f, end))
-        return CYLINT_NO_FEATURE;
-    const int rim = find_on_rim(q, end);
-    const double cap = height_less(end ? p->z : 1 - p->z, p->z_error, p->z_norm,
-                                   4 * p->relative * p->z_norm);
-    return rim == CYLINT_NO_FEATURE || is_open ||
-                   cap > sqrt(cylint_dot(q->rim.R, q->rim.R)) +
-                             CYLINT_ELLIPTIC_SAFETY_ERROR * size_of_rim(q)
-               ? rim
-               : CYLINT_NO_FEATURE;
+    const double across = range_of_height(&q->plane, -q->plane.n, p).most,
+                 along = range_from_end(p, end).most;
+    return are_feet_beyond(q, end, p->rho, end) &&
+           (cylint_caps_present(q->shape->ends) == 0 ||
+            range_from_end(p, !end).least >
+                sqrt(across * across + along * along) *
+                    (1 + CYLINT_ELLIPTIC_SAFETY_ERROR));
 }
 
 /* The nearest point of the end beyond which the lateral surface has its nearest
- * point. */
+ * point: on the cap or the rim. */
 static inline int feature_of_end(elliptic_question *q, int end)
 {
     const double above = end ? q->at.z - 1 : -q->at.z;
-    const unsigned caps = cylint_caps_present(q->shape->ends);
-    const int over = is_over_end(q, end);
+    int feature = CYLINT_NO_FEATURE;
+    project_on_end(&q->at, q->shape, end);
+    q->side = side_of_section(&q->at);
+    const int is_over = q->side > 0;
+    /* untaken 1 of 6: no known point is over an end and not above it */
+    if (q->side == 0 || (is_over && !(above > q->at.z_error)))
+        return CYLINT_NO_FEATURE;
+    if (is_over && cylint_caps_present(q->shape->ends) >> end & 1)
+        feature = CYLINT_FEATURE_CAP0 + end;
+    /* untaken 1 of 6: an apex is found before */
+    else if (q->at.rho > 0 && find_on_lateral(q) &&
+             (!is_over || is_open_rim_nearest(q, end)))
+        feature = CYLINT_FEATURE_RIM0 + end;
     q->side = -1;
-    /* untaken 1 of 4: no known point is over an end and certainly below it */
-    if (over && !(above < -q->at.z_error)) {
-        /* untaken 1 of 4: nor next to its plane */
-        if (over < 0 || !(above > q->at.z_error))
-            return CYLINT_NO_FEATURE;
-        if (!(caps >> end & 1))
-            return feature_of_open_end(q, end);
-        return CYLINT_FEATURE_CAP0 + end;
-    }
-    const int is_apex = cylint_sign(cylint_end_factor(q->shape, end)) == 0;
-    /* untaken 1 of 2: an apex is found before */
-    return is_apex ? CYLINT_NO_FEATURE : find_on_rim(q, end);
+    return feature;
 }
 
 /* Inside, and beside the lateral surface: that or the nearer of the caps that are
@@ -241,7 +218,7 @@ static inline int feature_inside(elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
     const unsigned caps = cylint_caps_present(q->shape->ends);
-    const double size = sqrt(q->plane.q), lateral = fabs(q->plane.n) / size;
+    const double size = q->plane.size, lateral = fabs(q->plane.n) / size;
     const double low = caps & 1 ? p->z / p->z_norm : HUGE_VAL,
                  high = caps & 2 ? (1 - p->z) / p->z_norm : HUGE_VAL;
     const int end = high < low;
@@ -250,21 +227,11 @@ static inline int feature_inside(elliptic_question *q)
                          q->by.distance +
                          8 * p->relative * (1 / p->z_norm + lateral);
     if (lateral < cap - error)
-        return caps == 3 || place_of_foot(q).is_within ? CYLINT_FEATURE_LATERAL
-                                                       : CYLINT_NO_FEATURE;
+        return caps == 3 || zone_of_foot(q) == 0 ? CYLINT_FEATURE_LATERAL
+                                                 : CYLINT_NO_FEATURE;
     if (q->side == 0 || !(cap < lateral - error) || !(fabs(high - low) > error))
         return CYLINT_NO_FEATURE;
     return CYLINT_FEATURE_CAP0 + end;
-}
-
-static inline int is_between_ends(const elliptic_place *p)
-{
-    return p->z > p->z_error && p->z < 1 - p->z_error;
-}
-
-static inline int is_beyond_end(const elliptic_place *p, int end)
-{
-    return end ? p->z > 1 + p->z_error : p->z < -p->z_error;
 }
 
 /* Beside the plane of a cap, on either side, and twice as far from the lateral
@@ -274,9 +241,9 @@ static inline int feature_beside_cap(elliptic_question *q)
     const elliptic_place *p = &q->at;
     const int end = p->z > 0.5;
     const double off = fabs(end ? p->z - 1 : p->z) + p->z_error;
+    const double room = p->rho - p->error - sqrt(p->x * p->x + p->y * p->y);
     return cylint_caps_present(q->shape->ends) >> end & 1 && off < 0x1p-10 &&
-                   p->relative < 0x1p-10 &&
-                   2 * off * p->norm < q->room * p->z_norm
+                   p->relative < 0x1p-10 && 2 * off * p->norm < room * p->z_norm
                ? CYLINT_FEATURE_CAP0 + end
                : CYLINT_NO_FEATURE;
 }
@@ -285,10 +252,10 @@ static inline int feature_beside_cap(elliptic_question *q)
 static inline int feature_within(elliptic_question *q)
 {
     const int bounded = cylint_is_bounded(q->shape);
-    const int above = is_beyond_end(&q->at, 1);
-    if (bounded && q->side && (above || is_beyond_end(&q->at, 0)))
-        return feature_of_end(q, above);
-    if (bounded && !is_between_ends(&q->at))
+    const int zone = zone_of_point(&q->at);
+    if (bounded && q->side && (zone == -1 || zone == 1))
+        return feature_of_end(q, zone > 0);
+    if (bounded && zone != 0)
         return feature_beside_cap(q);
     if (!find_on_lateral(q))
         return CYLINT_NO_FEATURE;
@@ -307,16 +274,13 @@ static inline void turn_place(elliptic_place *p)
  * planes. */
 static inline int is_nearer_nappe(const elliptic_question *q)
 {
-    const tangent_plane *t = &q->plane;
-    const double relative =
-        CYLINT_ELLIPTIC_SAFETY_ERROR + normal_error(t, &q->at);
     const double most =
-        (t->n + q->at.error) / (sqrt(t->q) * (1 - relative)) + q->by.distance;
+        range_of_height(&q->plane, q->plane.n, &q->at).most + q->by.distance;
     elliptic_place turned = q->at;
     tangent_plane other;
     turn_place(&turned);
     load_tangent_plane(&other, &turned, (angle){-q->e.cos, -q->e.sin});
-    return plane_less(&other, other.n, &turned) > most;
+    return range_of_height(&other, other.n, &turned).least > most;
 }
 
 static inline int feature_outside(elliptic_question *q)
@@ -336,11 +300,10 @@ static inline int feature_outside(elliptic_question *q)
         return s->ends != CYLINT_ENDS_INFINITE || k1 == 0 || is_nearer_nappe(q)
                    ? CYLINT_FEATURE_LATERAL
                    : CYLINT_NO_FEATURE;
-    const foot_place foot = place_of_foot(q);
-    return foot.is_within   ? CYLINT_FEATURE_LATERAL
-           : foot.is_before ? feature_of_end(q, 0)
-           : foot.is_after  ? feature_of_end(q, 1)
-                            : CYLINT_NO_FEATURE;
+    const int zone = zone_of_foot(q);
+    return zone == 0                       ? CYLINT_FEATURE_LATERAL
+           : zone == CYLINT_SIGN_UNDECIDED ? CYLINT_NO_FEATURE
+                                           : feature_of_end(q, zone > 0);
 }
 
 /* Whether no product of lengths overflows; of NaN, not. */
@@ -370,12 +333,9 @@ static inline int locate_question(elliptic_question *q, const cylint_shape *s,
     q->is_turned = s->ends == CYLINT_ENDS_INFINITE && p->rho < 0;
     if (q->is_turned)
         turn_place(p);
-    const double r = sqrt(p->x * p->x + p->y * p->y);
-    q->room = p->rho - p->error - r;
-    q->side = r > p->rho + p->error ? -1 : q->room > 0;
+    q->side = side_of_section(p);
     if (q->side > 0 && cylint_is_bounded(s))
-        q->side =
-            is_between_ends(p) || is_beyond_end(p, 0) || is_beyond_end(p, 1);
+        q->side = zone_of_point(p) != CYLINT_SIGN_UNDECIDED;
     return 1;
 }
 

@@ -175,12 +175,14 @@ static inline direction_pair direction_of(vpair c, vpair s)
                             sized_of(pairs_trimmed(vpair_product(s, f)))};
 }
 
-/* Turns it by a step of Newton's iteration.  After one longer than `most` the
- * numbers of the angle in doubles are not those of this one: returns 0. */
-static inline int turn_direction(direction_pair *e, double by, double most)
+/* Turns it by a step of Newton's iteration.  After a long one the numbers of the
+ * angle in doubles are not those of this one: returns 0. */
+static inline int turn_direction(direction_pair *e, double by,
+                                 const elliptic_question *q)
 {
     const vpair step = {by, 0};
-    if (!(fabs(by) <= most))
+    if (!(fabs(by) <= cylint_smaller(CYLINT_PAIR_TURN,
+                                     0x1p-4 * q->plane.size / q->at.norm)))
         return 0;
     *e = direction_of(vpair_sub(e->cos.v, vpair_product(e->sin.v, step)),
                       vpair_add(e->sin.v, vpair_product(e->cos.v, step)));
@@ -227,9 +229,7 @@ static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
     const sized before = load_slope(t, m, e);
     const double sign = copysign(1, m->volume.v.hi);
     *by = uncertain_angle;
-    if (!turn_direction(e, -sign * rounded(before.v) * cube / slope,
-                        cylint_smaller(CYLINT_PAIR_TURN,
-                                       0x1p-4 * sqrt(q->plane.q) / q->at.norm)))
+    if (!turn_direction(e, -sign * rounded(before.v) * cube / slope, q))
         return;
     load_plane(t, m, e);
     const sized after = load_slope(t, m, e);
@@ -358,7 +358,7 @@ static inline void answer_on_lateral(elliptic_answer *to,
     load_plane(&t, m, &e);
     if (effort)
         correct_plane(&t, &e, &by, m, q);
-    const double ratio = q->at.norm / sqrt(q->plane.q);
+    const double ratio = q->at.norm / q->plane.size;
     if (effort > 1)
         by_length = ratio * refine_height(&t, q, point, &e);
     to->distance = quotient_by_size(t.n, t.inverse, root_error(&t.q, by_length),
@@ -447,7 +447,8 @@ static inline void answer_on_apex(elliptic_answer *to,
 
 /* A rim at an angle: u and v are multiplied by its factor. */
 typedef struct {
-    sized u[3], v[3], R[3];
+    sized u[3], v[3], R[3], beside; /* beside: R.v */
+    double square;                  /* v.v */
 } rim_in_pairs;
 
 ASIDE void load_rim_in_pairs(rim_in_pairs *r, const cylint_shape *s,
@@ -457,13 +458,16 @@ ASIDE void load_rim_in_pairs(rim_in_pairs *r, const cylint_shape *s,
     const sized factor = sized_double(f), cos = sized_product(factor, e->cos),
                 sin = sized_product(factor, e->sin),
                 minus = sized_opposite(sin);
+    r->square = 0;
     EACH(i, 3) {
         const sized a = sized_double(cylint_a(s)[i]),
                     b = sized_double(cylint_b(s)[i]);
         r->u[i] = sized_sum2(cos, a, sin, b);
         r->v[i] = sized_sum2(cos, b, minus, a);
         r->R[i] = sized_difference(F[i], r->u[i]);
+        r->square += r->v[i].v.hi * r->v[i].v.hi;
     }
+    r->beside = sized_dot(r->R, r->v);
 }
 
 static inline void answer_on_rim(elliptic_answer *to,
@@ -473,7 +477,7 @@ static inline void answer_on_rim(elliptic_answer *to,
 {
     const cylint_shape *s = q->shape;
     const int end = cylint_feature_end(q->feature);
-    const rim_place *doubles = &q->rim;
+    const double f = cylint_end_factor(s, end);
     rim_in_pairs r;
     sized F[3]; /* the point from the centre */
     uncertainty by = q->by;
@@ -481,20 +485,19 @@ static inline void answer_on_rim(elliptic_answer *to,
     EACH(i, 3)
         F[i] = end ? sized_difference(m->D[i], sized_double(cylint_axis(s)[i]))
                    : m->D[i];
-    load_rim_in_pairs(&r, s, F, doubles->f, &e);
+    load_rim_in_pairs(&r, s, F, f, &e);
     if (effort) {
-        const double slope =
-            doubles->f * (doubles->f * cylint_dot(doubles->v, doubles->v) +
-                          cylint_dot(doubles->R, doubles->u));
+        const double slope = r.square + rounded(sized_dot(r.R, r.u).v);
         by = uncertain_angle;
         /* untaken 1 of 2: every known step is small enough */
-        if (turn_direction(&e, rounded(sized_dot(r.R, r.v).v) / slope,
-                           CYLINT_PAIR_TURN)) {
-            load_rim_in_pairs(&r, s, F, doubles->f, &e);
-            by = of_rim(doubles, at_most(sized_dot(r.R, r.v)), q->curvature);
+        if (turn_direction(&e, rounded(r.beside.v) / slope, q)) {
+            load_rim_in_pairs(&r, s, F, f, &e);
+            by = uncertainty_of_plane(q, f * at_most(r.beside) / r.square);
         }
     }
-    to->distance = length_of_pairs(r.R, by.distance);
+    const double beside = at_most(r.beside);
+    to->distance = length_of_pairs(r.R, 2 * by.distance);
+    to->distance.e += beside * beside / (r.square * to->distance.v.hi);
     if (!(want & CYLINT_WANT_GEOMETRY))
         return;
     plane_in_pairs t;

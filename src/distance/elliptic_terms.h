@@ -25,9 +25,9 @@ typedef struct {
     const cylint_shape *shape;
     const double *point;
     int e, far;
-    double near;  /* 2^-far, but at least 2^-MOST_FAR */
-    triple moved; /* times g, taken from Q; in the unit 2^(e + whole) */
-    int whole;
+    double near;   /* 2^-far, but at least 2^-MOST_FAR */
+    triple moved;  /* times g, taken from Q; in the unit 2^(e + whole) */
+    int whole;     /* far, before Q was moved */
     double length; /* of Q's largest component before that, in that unit */
     triple Q[3], a[3], b[3], h[3];
     double stretch;

@@ -199,8 +199,8 @@ ASIDE vdistance distance_in_triples(const vnearest *n, const half_plane *m,
 
 /* ----------------------------------------- the direction from the axis -- */
 
-/* Of two nearly equal vectors D and z w the difference has few digits.  That of w x
- * (D x w), D the point from an end and w the axis, has all that count. */
+/* With D the point from an end and w the axis, D - z w has few digits where both
+ * are nearly equal.  w x (D x w), a multiple of it, has all that count. */
 
 /* Whether D is 0, or D x w = X is, all products of which are exact: no factor other
  * than 0 is so small that one underflows. */
