@@ -148,7 +148,7 @@ static void set_true_hit(const cylint_shape *s, const cylint_line *line,
         return;
     the.z = over(the.at[2], the.shape.height);
     the.phi = real_turns(times(real_of(sign), the.at[0]),
-                         times(real_of(sign), the.at[1]));
+                         times(real_of(sign), the.at[1]), BITS);
 }
 
 /* --------------------------------------------------------------- judge -- */

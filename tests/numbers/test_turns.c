@@ -8,94 +8,77 @@
  */
 #include <fenv.h>
 #include <math.h>
-#include <mpfr.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-#define CHECK_OWN_MAIN
 #include "check.h"
 #include "dispatch.h"
 #include "numbers/error_bounds.h"
 #include "numbers/turns_lanes.h"
 #include "draw.h"
+#include "real.h"
 #include "turn_points.h"
 
 enum { BITS = 220, BLOCK = 8192 };
 
-static mpfr_t X, Y, angle, turn_in_radians;
-
-static void set(mpfr_t to, pair a)
+static double radians(double turns)
 {
-    mpfr_set_d(to, a.hi, MPFR_RNDN);
-    mpfr_add_d(to, to, a.lo, MPFR_RNDN);
+    return turns * 6.283185307179586;
 }
 
 /* ----------------------------------------------------------- constants -- */
 
-/* Takes the nearest double from x and returns it. */
-static double taken(mpfr_t x)
+static void check_pair(real x, double hi, double lo, const char *name, int k)
 {
-    const double d = mpfr_get_d(x, MPFR_RNDN);
-    mpfr_sub_d(x, x, d, MPFR_RNDN);
-    return d;
-}
-
-static void check_pair(mpfr_t x, double hi, double lo, const char *name, int k)
-{
-    const double wanted = taken(x), wanted_lo = taken(x);
+    const double wanted = near_double(x);
+    const double wanted_lo = near_double(minus(x, real_of(wanted)));
     if (!CHECK(hi == wanted && lo == wanted_lo))
         REPORT("%s %d must be %a, %a", name, k, wanted, wanted_lo);
 }
 
 TEST(nodes_are_cosines_and_sines_in_pairs)
 {
-    mpfr_ui_div(X, 1, turn_in_radians, MPFR_RNDN);
-    check_pair(X, CYLINT_TURN_PER_RADIAN, CYLINT_TURN_PER_RADIAN_LO,
-               "turns per radian", 0);
+    real_fixed(BITS);
+    const real turn = times(real_of(2), real_pi());
+    check_pair(over(real_of(1), turn), CYLINT_TURN_PER_RADIAN,
+               CYLINT_TURN_PER_RADIAN_LO, "turns per radian", 0);
     for (int k = 0; k <= 32; k++) {
         const double *node = cylint_turn_node[k];
-        mpfr_mul_d(angle, turn_in_radians, k * 0x1p-8, MPFR_RNDN);
-        mpfr_sin_cos(Y, X, angle, MPFR_RNDN);
-        check_pair(X, node[0], node[1], "cosine", k);
-        check_pair(Y, node[2], node[3], "sine", k);
+        const real angle = times(turn, real_of(k * 0x1p-8));
+        check_pair(function_of(mpfr_cos, angle), node[0], node[1], "cosine", k);
+        check_pair(function_of(mpfr_sin, angle), node[2], node[3], "sine", k);
     }
 }
 
 /* So |q| is at most the tangent of 0.637 nodes. */
 TEST(the_node_is_nearer_than_0_637_nodes)
 {
-    const double tau = mpfr_get_d(turn_in_radians, MPFR_RNDN);
     double most = 0;
     for (int i = 0; i <= 100000; i++) {
         const double r = i * 1e-5;
         const double guess =
             256 * r * (CYLINT_TURN_SLOPE - CYLINT_TURN_CURVE * r);
-        most = fmax(most, fabs(guess - 256 * atan(r) / tau));
+        most = fmax(most, fabs(guess - 256 * atan(r) / radians(1)));
     }
     printf("note: a guess is within %.4f nodes\n", most);
     CHECK(most < 0.137);
-    CHECK(tan(0.637 / 256 * tau) < CYLINT_TURN_TANGENT);
+    CHECK(tan(radians(0.637 / 256)) < CYLINT_TURN_TANGENT);
 }
 
 TEST(the_series_has_its_error)
 {
     double most = 0;
     for (int i = 1; i <= 20000; i++) {
-        const double q = CYLINT_TURN_TANGENT * i / 20000;
-        mpfr_set_d(X, q, MPFR_RNDN);
-        mpfr_atan(angle, X, MPFR_RNDN);
-        mpfr_sub(angle, angle, X, MPFR_RNDN);
-        mpfr_div(angle, angle, turn_in_radians, MPFR_RNDN);
-        mpfr_sqr(X, X, MPFR_RNDN);
-        mpfr_set_d(Y, turn_series[0], MPFR_RNDN);
-        for (int k = 1; k < 4; k++) {
-            mpfr_mul(Y, Y, X, MPFR_RNDN);
-            mpfr_add_d(Y, Y, turn_series[k], MPFR_RNDN);
-        }
-        mpfr_div(angle, angle, X, MPFR_RNDN);
-        mpfr_div_d(angle, angle, q, MPFR_RNDN);
-        mpfr_sub(angle, angle, Y, MPFR_RNDN);
-        most = fmax(most, fabs(mpfr_get_d(angle, MPFR_RNDN)));
+        real_fixed(BITS);
+        const real q = real_of(CYLINT_TURN_TANGENT * i / 20000);
+        const real qq = square_of(q), turn = times(real_of(2), real_pi());
+        const real beyond =
+            minus(over(function_of(mpfr_atan, q), q), real_of(1));
+        real series = real_of(turn_series[0]);
+        for (int k = 1; k < 4; k++)
+            series = plus(times(series, qq), real_of(turn_series[k]));
+        const real off = minus(over(beyond, times(turn, qq)), series);
+        most = fmax(most, fabs(mpfr_get_d(off->x, RND)));
     }
     printf("note: error of the series over its bound: %.3f\n",
            most / CYLINT_TURN_SERIES);
@@ -122,7 +105,7 @@ static double any_small(int n)
 /* Near a multiple of 1/512 turns: a node, between two, an axis, a diagonal. */
 static void near_a_node(double *x, double *y)
 {
-    const double a = one_of(512) * mpfr_get_d(turn_in_radians, MPFR_RNDN) / 512;
+    const double a = radians(one_of(512) / 512.0);
     const double off = any_small(60);
     *x = cos(a) - off * sin(a);
     *y = sin(a) + off * cos(a);
@@ -173,17 +156,15 @@ static true_turn turn_of(const turn_point *p)
 {
     const int gap = abs(ilogb(p->x.hi == 0 ? p->y.hi : p->x.hi) -
                         ilogb(p->y.hi == 0 ? p->x.hi : p->y.hi));
-    mpfr_set_prec(angle, BITS + gap); /* from an axis */
-    set(X, p->x);
-    set(Y, p->y);
-    mpfr_atan2(angle, Y, X, MPFR_RNDN);
-    mpfr_div(angle, angle, turn_in_radians, MPFR_RNDN);
-    if (mpfr_sgn(angle) < 0)
-        mpfr_add_ui(angle, angle, 1, MPFR_RNDN);
+    real_fixed(BITS + gap); /* from an axis */
+    const real turn =
+        real_turns(plus(real_of(p->x.hi), real_of(p->x.lo)),
+                   plus(real_of(p->y.hi), real_of(p->y.lo)), BITS + gap);
     true_turn t;
-    t.head = taken(angle);
-    t.middle = taken(angle);
-    t.tail = taken(angle);
+    t.head = near_double(turn);
+    const real rest = minus(turn, real_of(t.head));
+    t.middle = near_double(rest);
+    t.tail = near_double(minus(rest, real_of(t.middle)));
     return t;
 }
 
@@ -276,7 +257,7 @@ static const struct {
              {"toward zero", FE_TOWARDZERO, CYLINT_TURN_DIRECTED_ERROR}};
 static double worst_pair[4];
 
-static pair scaled(pair x, int e)
+static pair pair_times_power(pair x, int e)
 {
     return two_sum(ldexp(x.hi, e), ldexp(x.lo, e));
 }
@@ -288,7 +269,8 @@ static void judge_pairs(void)
         int e;
         frexp(fmax(fabs(p->x.hi), fabs(p->y.hi)), &e);
         const int scale = one_of(3) - e;
-        const pair x = scaled(p->x, scale), y = scaled(p->y, scale);
+        const pair x = pair_times_power(p->x, scale),
+                   y = pair_times_power(p->y, scale);
         if ((x.hi != 0 && fabs(x.hi) < 0x1p-200) ||
             (y.hi != 0 && fabs(y.hi) < 0x1p-200))
             continue;
@@ -334,16 +316,4 @@ TEST(angles_have_their_bounds)
     for (int m = 0; m < 4; m++)
         printf("note: pairs, %-11s error over its bound: %.3f\n", modes[m].name,
                worst_pair[m]);
-}
-
-int main(void)
-{
-    mpfr_inits2(BITS, X, Y, angle, (mpfr_ptr)0);
-    mpfr_init2(turn_in_radians, BITS + 1000);
-    mpfr_const_pi(turn_in_radians, MPFR_RNDN);
-    mpfr_mul_2ui(turn_in_radians, turn_in_radians, 1, MPFR_RNDN);
-    const int failed = check_all();
-    mpfr_clears(X, Y, angle, turn_in_radians, (mpfr_ptr)0);
-    mpfr_free_cache();
-    return failed;
 }

@@ -124,15 +124,11 @@ static void measure_tangent(const struct family_case *c)
 {
     if (c->shape.kind != CYLINT_KIND_ACONE)
         return;
-    mpfr_t x, pi;
-    mpfr_inits2(1200, x, pi, (mpfr_ptr)NULL);
-    mpfr_const_pi(pi, MPFR_RNDN);
-    mpfr_mul_d(x, pi, c->shape_data[6], MPFR_RNDN);
-    mpfr_div_ui(x, x, 180, MPFR_RNDN);
-    mpfr_tan(x, x, MPFR_RNDN);
-    if (!CHECK(cylint_r1(&c->shape) == mpfr_get_d(x, MPFR_RNDN)))
+    real_fixed(1200);
+    const real degrees = times(real_pi(), real_of(c->shape_data[6]));
+    const real tangent = function_of(mpfr_tan, over(degrees, real_of(180)));
+    if (!CHECK(cylint_r1(&c->shape) == near_double(tangent)))
         REPORT_CASE(c);
-    mpfr_clears(x, pi, (mpfr_ptr)NULL);
 }
 
 /* One box in two is made in another environment. */

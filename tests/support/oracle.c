@@ -14,6 +14,7 @@
 
 enum { BOUNDS = 2, FUNCTIONS = 1 + BOUNDS, PIECES = 3, TERMS = 5 };
 enum { MOST_CRITICAL = 2 * PIECES + PIECES * BOUNDS };
+enum { TURN_BITS = 128 };
 
 /* A function along the line: c[0] + c[1] t + c[2] t^2. */
 typedef struct {
@@ -483,7 +484,8 @@ static double phi_at(real t, double *other)
     real x = value_of(&o_.X, t), y = value_of(&o_.Y, t);
     if (o_.circular)
         y = over(y, root_of(o_.whole));
-    const double phi = below_one(nearest_real(real_turns(x, y), other));
+    const double phi =
+        below_one(nearest_real(real_turns(x, y, TURN_BITS), other));
     *other = below_one(*other);
     return phi;
 }

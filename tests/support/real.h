@@ -255,26 +255,38 @@ static inline void need_digits(real x)
         need_more_bits();
 }
 
-/* The angle y / x in turns, in [0, 1), with 122 bits. */
-static inline real real_turns(real x, real y)
+/* f(x), with one rounding; an error of x is not counted. */
+static inline real function_of(int f(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), real x)
 {
-    real turn = real_of(0);
-    mpfr_t pi, sine, cosine;
+    real z = new_real();
+    return with_error(z, f(z->x, x->x, RND), EXACT);
+}
+
+static inline real real_pi(void)
+{
+    real z = new_real();
+    return with_error(z, mpfr_const_pi(z->x, RND), EXACT);
+}
+
+/* The angle y / x in turns, in [0, 1), computed with this many bits. */
+static inline real real_turns(real x, real y, long bits)
+{
+    real turn = real_of(0), pi = new_real();
     need_digits(x);
     need_digits(y);
     if (sign_of(x) == 0 && sign_of(y) == 0)
         return turn;
-    mpfr_inits2(128, pi, sine, cosine, (mpfr_ptr)NULL);
-    mpfr_set(sine, sign_of(y) ? y->x : turn->x, RND);
-    mpfr_set(cosine, sign_of(x) ? x->x : turn->x, RND);
-    mpfr_const_pi(pi, RND);
-    mpfr_atan2(sine, sine, cosine, RND);
-    mpfr_div(sine, sine, pi, RND);
-    mpfr_div_ui(sine, sine, 2, RND);
-    if (mpfr_sgn(sine) < 0)
-        mpfr_add_ui(sine, sine, 1, RND);
-    mpfr_set(turn->x, sine, RND);
-    mpfr_clears(pi, sine, cosine, (mpfr_ptr)NULL);
+    const real sine = sign_of(y) ? y : turn, cosine = sign_of(x) ? x : turn;
+    turn = new_real();
+    mpfr_set_prec(turn->x, bits);
+    mpfr_set_prec(pi->x, bits);
+    mpfr_atan2(turn->x, sine->x, cosine->x, RND);
+    mpfr_const_pi(pi->x, RND);
+    mpfr_div(turn->x, turn->x, pi->x, RND);
+    mpfr_div_ui(turn->x, turn->x, 2, RND);
+    if (mpfr_sgn(turn->x) < 0)
+        mpfr_add_ui(turn->x, turn->x, 1, RND);
+    turn->off = EXACT;
     return turn;
 }
 
