@@ -1,12 +1,12 @@
 /*
  * test_member_bounds.c - floor filter: the bounds of members.h and describe.h
- * against MPFR
+ * against the oracle
  *
  * Computes the members of hits of random lines with random shapes, as one.c does,
- * and in MPFR from the numbers that a shape is made of and the exact root.  The
- * root given to members.h errs by at most its error, often by all of it.  Each note
- * has the largest error of a number over its bound, which must be at most 1.  A
- * bound 0 is that of an exact number.
+ * and compares them with those of the oracle.  The root given to members.h errs by
+ * at most its error, often by all of it.  Each note has the largest error of a
+ * number over its bound, which must be at most 1.  A bound 0 is that of an exact
+ * number.
  *
  * Shapes and lines are those of the families.  CYLINT_CASES is the number of hits.
  */
@@ -22,133 +22,48 @@
 #include "families.h"
 #include "filter/describe.h"
 #include "draw.h"
+#include "oracle.h"
 #include "true_shape.h"
 
-enum { BITS = 448, ROOTS = 12 };
+enum { BITS = 448, ROOTS = 6 }; /* roots given of each hit */
 
 /* --------------------------------------------------------------- truth -- */
 
-/* Everything true.  Local coordinates as in local.h. */
+/* Everything true of a hit.  Local coordinates as in local.h.  The part of a sphere
+ * is the lateral surface. */
 static struct {
     true_shape shape;
-    vector d, p, v; /* p: the line's origin, v: its direction, local */
-    real r0, r1, rho, growth;
-    int has_normal;
-    vector at, point, normal; /* of the hit; at: local coordinates */
-    real t, radius, z, phi;
+    const oracle_hit *hit;
+    int part, is_on_ball, has_normal;
+    vector at; /* local coordinates */
+    real radius;
 } the;
 
-static void set_true_line(const cylint_shape *s, const cylint_line *line)
+static void set_true_hit(const cylint_shape *s, const cylint_answer *a, int i)
 {
-    const true_shape *of = &the.shape;
+    const int solid = cylint_prepared(s), ball = solid == CYLINT_SOLID_SPHERE;
     vector q;
-    set_difference(q, line->o, cylint_base(s));
+    the.hit = oracle_real_hit(i);
+    the.part = ball ? CYLINT_PART_LATERAL : a->hit[i].part;
+    the.is_on_ball = ball || (the.part != CYLINT_PART_LATERAL &&
+                              cylint_solid_is_round(solid));
     for (int j = 0; j < 3; j++)
-        the.d[j] = plus(real_of(line->d[j]), real_of(line->d_lo[j]));
-    for (int i = 0; i < 3; i++) {
-        the.p[i] = dot(the.shape.row[i], q);
-        the.v[i] = dot(the.shape.row[i], the.d);
-    }
-    the.r0 = real_of(cylint_r0(s));
-    the.r1 = real_of(cylint_r1(s));
-    the.rho = s->kind == CYLINT_KIND_RCONE ? over(the.r0, of->cosine) : the.r0;
-    the.rho = plus(the.rho, times(of->slope, the.p[2]));
-    the.growth = times(of->slope, the.v[2]);
+        q[j] = minus(the.hit->point[j], real_of(cylint_base(s)[j]));
+    for (int j = 0; j < 3; j++)
+        the.at[j] = dot(the.shape.row[j], q);
+    the.radius = real_of(cylint_r0(s));
+    if (s->kind == CYLINT_KIND_RCONE)
+        the.radius = over(the.radius, the.shape.cosine);
+    the.radius = plus(the.radius, times(the.shape.slope, the.at[2]));
+    the.has_normal = the.is_on_ball || the.part != CYLINT_PART_LATERAL ||
+                     sign_of(the.radius) != 0;
 }
 
-/* A surface of the shape: the lateral one, or that of an end. */
-typedef struct {
-    int on_end, top, ball;
-} surface;
-
-static surface any_surface(int solid)
+/* Whether t is 0 or within the range of roots. */
+static int is_in_range(real root)
 {
-    const int ball = solid == CYLINT_SOLID_SPHERE;
-    surface f = {0, 0, ball};
-    if (!ball && cylint_solid_is_bounded(solid) && one_of(2)) {
-        f.on_end = 1;
-        f.top = one_of(2);
-        f.ball = cylint_solid_is_round(solid);
-    }
-    return f;
-}
-
-/* z from the plane or the centre of the end. */
-static real above_end(real z, const surface *f)
-{
-    return f->top ? minus(z, the.shape.height) : z;
-}
-
-/* x x' + y y' + sign u u' of two vectors, where u is the surface's last term: rho
- * of the lateral one, z of a ball. */
-static real form(const surface *f, vector x, real rho, vector y, real rho2)
-{
-    const real flat = plus(times(x[0], y[0]), times(x[1], y[1]));
-    return f->ball ? plus(flat, times(x[2], y[2]))
-                   : minus(flat, times(rho, rho2));
-}
-
-/* Sets the.t to a root; returns whether there is one. */
-static int set_true_root(const surface *f, int solid, int second)
-{
-    vector p = {the.p[0], the.p[1], above_end(the.p[2], f)};
-    real a = the.v[2], b = p[2];
-    if (!f->on_end || f->ball) {
-        const real r =
-            f->top && cylint_solid_is_tapered(solid) ? the.r1 : the.r0;
-        real c = form(f, p, the.rho, p, the.rho);
-        if (f->ball)
-            c = minus(c, square_of(r));
-        a = form(f, the.v, the.growth, the.v, the.growth);
-        b = form(f, p, the.rho, the.v, the.growth);
-        const real D = minus(square_of(b), times(a, c));
-        if (sign_of(D) < 0)
-            return 0;
-        b = second ? plus(b, root_of(D)) : minus(b, root_of(D));
-    }
-    if (sign_of(a) == 0)
-        return 0;
-    the.t = negated(over(b, a));
-    const double t = fabs(mpfr_get_d(the.t->x, RND));
+    const double t = fabs(mpfr_get_d(root->x, RND));
     return t == 0 || (t < CYLINT_WINDOW && t > 1 / CYLINT_WINDOW);
-}
-
-/* from + t by */
-static real at_t(real from, real by)
-{
-    return plus(from, times(the.t, by));
-}
-
-static void set_true_normal(const surface *f)
-{
-    const int plane = f->on_end && !f->ball;
-    const real along = plane     ? real_of(f->top ? 1 : -1)
-                       : f->ball ? above_end(the.at[2], f)
-                                 : negated(times(the.shape.slope, the.radius));
-    scale(the.normal, along, the.shape.row[2]);
-    for (int i = 0; i < 2 && !plane; i++)
-        for (int j = 0; j < 3; j++)
-            the.normal[j] =
-                plus(the.normal[j], times(the.at[i], the.shape.row[i][j]));
-    the.has_normal = sign_of(norm(the.normal)) != 0;
-    divide(the.normal, the.normal, norm(the.normal));
-}
-
-static void set_true_hit(const cylint_shape *s, const cylint_line *line,
-                         const surface *f)
-{
-    const int sign = cylint_is_elliptic(s->kind) ? 1 : -1;
-    for (int i = 0; i < 3; i++) {
-        the.at[i] = at_t(the.p[i], the.v[i]);
-        the.point[i] = at_t(real_of(line->o[i]), the.d[i]);
-    }
-    the.radius = at_t(the.rho, the.growth);
-    set_true_normal(f);
-    if (s->kind == CYLINT_KIND_SPHERE)
-        return;
-    the.z = over(the.at[2], the.shape.height);
-    the.phi = real_turns(times(real_of(sign), the.at[0]),
-                         times(real_of(sign), the.at[1]), BITS);
 }
 
 /* --------------------------------------------------------------- judge -- */
@@ -174,7 +89,6 @@ static number X = {"local x", 0, 0, 0, 0}, Y = {"local y", 0, 0, 0, 0},
                          {"root_beside(), 2nd", 0, 0, 0, 0}};
 
 static const struct family_case *case_now;
-static const surface *surface_now;
 
 /* hi + lo against the true number, with the bound in units.  At an apex there
  * is no normal, and angles and normals are NaN, or their bounds are: then
@@ -188,16 +102,18 @@ static void judge_number(number *x, int component, double hi, double lo,
         (x->is_normal && (!the.has_normal || bound * CYLINT_MEMBER_UNIT >
                                                  CYLINT_FIRST_ORDER * size)))
         return;
-    const double error = off_by(truth, hi, lo) / CYLINT_MEMBER_UNIT;
+    const real off = minus(minus(truth, real_of(hi)), real_of(lo));
+    const double size_of_off = fabs(mpfr_get_d(off->x, MPFR_RNDA));
+    const double error = /* 0: that of the truth can be larger */
+        sign_of(off) ? size_of_off / CYLINT_MEMBER_UNIT : 0;
     const double ratio = error == 0 ? 0 : error / bound;
     x->n++;
     x->worst = fmax(x->worst, ratio);
     if (root_is_pair)
         x->of_pair = fmax(x->of_pair, ratio);
     if (!CHECK(ratio <= 1)) {
-        REPORT("%s %d: %g; end %d, top %d, t %a", x->name, component, ratio,
-               surface_now->on_end, surface_now->top,
-               mpfr_get_d(the.t->x, RND));
+        REPORT("%s %d: %g; part %d, t %a", x->name, component, ratio, the.part,
+               mpfr_get_d(the.hit->t->x, RND));
         REPORT_CASE(case_now);
     }
 }
@@ -212,14 +128,13 @@ static void judge_pairs(number *x, int component, const bounded_pairs *pairs,
     judge_number(x, component, hi[0], lo[0], e[0], truth);
 }
 
-static number *normal_now(int solid)
+static number *normal_now(void)
 {
     const int skew = cylint_has_skew_rows(case_now->shape.kind);
-    return surface_now->ball ? &OF_BALL
-           : surface_now->on_end && !cylint_solid_is_round(solid)
-               ? skew ? &OF_SKEW_PLANE : &OF_PLANE
-           : skew ? &OF_SKEW
-                  : &OF_SIDE;
+    return the.is_on_ball                    ? &OF_BALL
+           : the.part != CYLINT_PART_LATERAL ? skew ? &OF_SKEW_PLANE : &OF_PLANE
+           : skew                            ? &OF_SKEW
+                                             : &OF_SIDE;
 }
 
 static void judge_members(const source *from, const pair_line *in,
@@ -235,13 +150,13 @@ static void judge_members(const source *from, const pair_line *in,
         judge_pairs(&RHO, 0, &h.rho, the.radius);
     normal_of(x, &h, from, r, solid);
     for (int j = 0; j < 3; j++)
-        judge_pairs(normal_now(solid), j, &x[j], the.normal[j]);
+        judge_pairs(normal_now(), j, &x[j], the.hit->normal[j]);
     if (ball)
         return;
     x[0] = height_share(&h, from);
     x[1] = angle_of(&h, from);
-    judge_pairs(&HEIGHT, 0, &x[0], the.z);
-    judge_pairs(&PHI, 0, &x[1], the.phi);
+    judge_pairs(&HEIGHT, 0, &x[0], the.hit->z);
+    judge_pairs(&PHI, 0, &x[1], the.hit->phi);
 }
 
 static void judge_point(const source *from, const hit_root *r, int solid)
@@ -249,11 +164,7 @@ static void judge_point(const source *from, const hit_root *r, int solid)
     bounded_pairs x[3];
     point_of(x, from, r, solid);
     for (int j = 0; j < 3; j++) {
-        const double *o = from->line->o, *d = from->line->d;
-        /* far below each bound but 0, and above the roundings of the truth */
-        const double size = fabs(o[j]) + fabs(v_first(r->t) * d[j]);
-        x[j].e = x[j].e + v_set(0x1p-400 / CYLINT_MEMBER_UNIT * size);
-        judge_pairs(&POINT, j, &x[j], the.point[j]);
+        judge_pairs(&POINT, j, &x[j], the.hit->point[j]);
     }
 }
 
@@ -273,12 +184,12 @@ static void judge_moved(const source *from, hit_root r, int solid)
 }
 
 /* The true root, wrong by at most the error that it returns. */
-static hit_root any_root(const surface *f)
+static hit_root any_root(void)
 {
-    double t = mpfr_get_d(the.t->x, RND);
+    double t = mpfr_get_d(the.hit->t->x, RND);
     if (t != 0 && one_of(4) == 0) /* an end of step_from() */
         t = nextafter(t, one_of(2) ? HUGE_VAL : -HUGE_VAL);
-    const real rest = minus(the.t, real_of(t));
+    const real rest = minus(the.hit->t, real_of(t));
     double tail = mpfr_get_d(rest->x, RND);
     const double error = one_of(4) ? ldexp(t, -54 - one_of(60)) : 0;
     tail += one_of(3) ? (one_of(2) ? error : -error) : error * between(-1, 1);
@@ -286,51 +197,41 @@ static hit_root any_root(const surface *f)
     root_is_pair = error == 0;
     return (hit_root){v_set(t), v_set(tail),
                       v_set(one_of(2) ? most : fmax(most, fabs(error))),
-                      m_from(f->on_end ? 3 : 0), m_from(f->top ? 3 : 0)};
+                      m_from(the.part != CYLINT_PART_LATERAL ? 3 : 0),
+                      m_from(the.part == CYLINT_PART_CAP1 ? 3 : 0)};
 }
 
-static void judge_roots(const source *from, const surface *f, int solid)
+static void judge_roots(const source *from, int solid)
 {
     double error[LANES], tail = 0;
-    const double t = mpfr_get_d(the.t->x, RND);
-    const int part = !f->on_end ? CYLINT_PART_LATERAL
-                     : f->top   ? CYLINT_PART_CAP1
-                                : CYLINT_PART_CAP0;
+    const double t = mpfr_get_d(the.hit->t->x, RND);
     for (int step = 0; step < 2; step++) {
         pair_line in;
         load_moved_pairs(&in, from, t, tail, solid);
-        const hit_root r = root_beside(from, &in, t, part, solid);
+        const hit_root r = root_beside(from, &in, t, the.part, solid);
         v_store(error, v_set(1 / CYLINT_MEMBER_UNIT) * r.error);
         if (!(error[0] < HUGE_VAL))
             return;
         judge_number(&ROOT[step], 0, tail, v_first(r.tail), error[0],
-                     minus(the.t, real_of(t)));
+                     minus(the.hit->t, real_of(t)));
         tail += v_first(r.tail);
     }
 }
 
 /* ---------------------------------------------------------------- test -- */
 
-static int judge_line(const struct family_case *c)
+static void judge_hit(const source *from)
 {
-    const cylint_shape *s = &c->shape;
-    const cylint_line *line = &c->line;
-    const int solid = cylint_prepared(s);
-    const source from = {s, line};
-    const surface f = any_surface(solid);
-    if (!set_true_root(&f, solid, one_of(2)))
-        return 0;
-    set_true_hit(s, line, &f);
-    case_now = c;
-    surface_now = &f;
+    const int solid = cylint_prepared(from->shape);
     pair_line in;
-    load_pairs(&in, &from, 1, solid);
-    const hit_root r = any_root(&f);
-    judge_point(&from, &r, solid);
-    judge_members(&from, &in, &r, solid);
-    judge_moved(&from, r, solid);
-    judge_roots(&from, &f, solid);
-    return 1;
+    load_pairs(&in, from, 1, solid);
+    for (int k = 0; k < ROOTS; k++) {
+        const hit_root r = any_root();
+        judge_point(from, &r, solid);
+        judge_members(from, &in, &r, solid);
+        judge_moved(from, r, solid);
+        judge_roots(from, solid);
+    }
 }
 
 TEST(errors_of_members_are_within_their_bounds)
@@ -340,16 +241,24 @@ TEST(errors_of_members_are_within_their_bounds)
     for (uint64_t i = 0; n < hits; i++)
         for (int family = 0; family < family_count(); family++) {
             struct family_case c;
+            cylint_answer a;
             family_case(24, family, i, &c);
+            c.line = whole_of(c.line);
+            const source from = {&c.shape, &c.line};
             if (family_is_wild(family) || !cylint_prepared(&c.shape) ||
-                !c.line.in_range ||
-                has_tiny_numbers(&(source){&c.shape, &c.line}))
+                !c.line.in_range || has_tiny_numbers(&from))
                 continue;
+            case_now = &c;
             real_fixed(BITS);
             set_true_shape(&the.shape, &c.shape);
-            set_true_line(&c.shape, &c.line);
-            for (int k = 0; k < ROOTS; k++)
-                n += (uint64_t)judge_line(&c);
+            oracle_intersect(&c.shape, &c.line, CYLINT_WANT_ALL, &a);
+            for (int k = 0; k < a.n; k++) {
+                set_true_hit(&c.shape, &a, k);
+                if (is_in_range(the.hit->t)) {
+                    judge_hit(&from);
+                    n += ROOTS;
+                }
+            }
         }
 }
 

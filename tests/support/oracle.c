@@ -9,7 +9,6 @@
  * answer follows from that.  Of a half-space F is linear.
  */
 #include "oracle.h"
-#include "real.h"
 #include "shapes/layout.h"
 
 enum { BOUNDS = 2, FUNCTIONS = 1 + BOUNDS, PIECES = 3, TERMS = 5 };
@@ -388,13 +387,9 @@ static void find_critical(void)
 
 /* -------------------------------------- points, normals, z and the angle -- */
 
-/* The hits of the answer, and oracle_other() of them. */
-static cylint_hit *hits_, others_[2];
-
-static cylint_hit *other_of(const cylint_hit *hit)
-{
-    return &others_[hit - hits_];
-}
+/* Of the hits of the answer: oracle_real_hit(), oracle_other(). */
+static oracle_hit real_hits_[2];
+static cylint_hit others_[2];
 
 /* The double nearest to x.  *other is it too, or, if x is nearer than 2^-90 of
  * itself to the middle of two doubles, the other one of the two. */
@@ -407,15 +402,6 @@ static double nearest_real(real x, double *other)
         *other = beside != nearest ? beside : *other;
     }
     return nearest;
-}
-
-/* The hit's normal: sign v / |v| */
-static void unit_vector(vector v, int sign, cylint_hit *hit)
-{
-    const real length = times(real_of(sign), norm(v));
-    for (int i = 0; i < 3; i++)
-        hit->normal[i] =
-            nearest_real(over(v[i], length), &other_of(hit)->normal[i]);
 }
 
 /* The normal at the apex: away from the solid; of a double cone against d, or
@@ -442,22 +428,24 @@ static void gradient(const quadric *q, real t, vector n)
     }
 }
 
-static void normal_at(real t, cylint_hit *hit)
+/* The normal at t on a part. */
+static void normal_at(real t, int part, vector n)
 {
     const int sphere = o_.round && o_.count_of_pieces == 1;
-    vector n;
+    int sign = 1;
     if (o_.plane) {
-        unit_vector(o_.w, 1, hit);
-    } else if (!o_.round && hit->part != CYLINT_PART_LATERAL) {
-        unit_vector(o_.circular ? o_.w : o_.gz,
-                    hit->part == CYLINT_PART_CAP1 ? 1 : -1, hit);
-    } else if (hit->part == CYLINT_PART_LATERAL && !sphere &&
+        memcpy(n, o_.w, sizeof o_.w);
+    } else if (!o_.round && part != CYLINT_PART_LATERAL) {
+        memcpy(n, o_.circular ? o_.w : o_.gz, sizeof o_.w);
+        sign = part == CYLINT_PART_CAP1 ? 1 : -1;
+    } else if (part == CYLINT_PART_LATERAL && !sphere &&
                sign_of(value_of(&o_.rho, t)) == 0) {
-        unit_vector(o_.w, apex_normal_sign(), hit);
+        memcpy(n, o_.w, sizeof o_.w);
+        sign = apex_normal_sign();
     } else {
-        gradient(&o_.pieces[sphere ? 0 : hit->part].surface, t, n);
-        unit_vector(n, 1, hit);
+        gradient(&o_.pieces[sphere ? 0 : part].surface, t, n);
     }
+    divide(n, n, times(real_of(sign), norm(n)));
 }
 
 /* Circular kinds: X and Y along e x w and w x (e x w); Y needs / |w|. */
@@ -477,17 +465,13 @@ static double below_one(double phi)
     return phi < 1 ? phi : 0x1.fffffffffffffp-1;
 }
 
-static double phi_at(real t, double *other)
+static real phi_at(real t)
 {
     if (o_.circular)
         circular_plane();
-    real x = value_of(&o_.X, t), y = value_of(&o_.Y, t);
-    if (o_.circular)
-        y = over(y, root_of(o_.whole));
-    const double phi =
-        below_one(nearest_real(real_turns(x, y, TURN_BITS), other));
-    *other = below_one(*other);
-    return phi;
+    const real x = value_of(&o_.X, t), y = value_of(&o_.Y, t);
+    return real_turns(x, o_.circular ? over(y, root_of(o_.whole)) : y,
+                      TURN_BITS);
 }
 
 /* --------------------------------------------------------------- hits -- */
@@ -533,19 +517,25 @@ static int part_at(const cylint_shape *s, const critical *at)
                                                 : CYLINT_PART_CAP1;
 }
 
-static void describe(real t, unsigned want, cylint_hit *hit)
+/* All members of hit i but its part, which is written. */
+static void describe(real t, cylint_hit *hit, int i)
 {
-    const int has_axis = sign_of(o_.whole) != 0;
-    hit->t = nearest_double(t);
-    if (want & CYLINT_WANT_POINT)
-        for (int i = 0; i < 3; i++)
-            hit->point[i] = nearest_double(plus(o_.o[i], times(o_.d[i], t)));
-    if (want & CYLINT_WANT_NORMAL)
-        normal_at(t, hit);
-    if (want & CYLINT_WANT_Z && has_axis)
-        hit->z = nearest_double(over(value_of(&o_.Z, t), o_.whole));
-    if (want & CYLINT_WANT_PHI && has_axis)
-        hit->phi = phi_at(t, &other_of(hit)->phi);
+    oracle_hit *r = &real_hits_[i];
+    cylint_hit *other = &others_[i];
+    r->t = t;
+    normal_at(t, hit->part, r->normal);
+    for (int j = 0; j < 3; j++) {
+        r->point[j] = plus(o_.o[j], times(o_.d[j], t));
+        hit->point[j] = nearest_double(r->point[j]);
+        hit->normal[j] = nearest_real(r->normal[j], &other->normal[j]);
+    }
+    if (sign_of(o_.whole) == 0) /* no axis */
+        return;
+    r->z = over(value_of(&o_.Z, t), o_.whole);
+    r->phi = phi_at(t);
+    hit->z = nearest_double(r->z);
+    hit->phi = below_one(nearest_real(r->phi, &other->phi));
+    other->phi = below_one(other->phi);
 }
 
 /* Whether t < bound (sign -1) or t > bound (sign 1). */
@@ -558,12 +548,11 @@ static int is_beyond(real t, double bound, int sign)
 static void find_hits(const cylint_shape *s, const cylint_line *line,
                       unsigned want, cylint_answer *expected)
 {
-    const int most = want & CYLINT_WANT_NEAREST ? 1 : 2;
     memset(expected, 0, sizeof *expected);
     memset(others_, 0, sizeof others_);
     find_critical();
     expected->relation = relation();
-    for (int i = 0; i < o_.count && expected->n < most; i++) {
+    for (int i = 0; i < o_.count; i++) {
         const int side = side_at(i);
         if (side < 0 || is_beyond(o_.at[i].t, line->tmin, -1) ||
             is_beyond(o_.at[i].t, line->tmax, 1))
@@ -572,10 +561,13 @@ static void find_hits(const cylint_shape *s, const cylint_line *line,
         if (part != CYLINT_PART_LATERAL &&
             !has_cap(s, part == CYLINT_PART_CAP1))
             continue;
-        cylint_hit *hit = &expected->hit[expected->n++];
+        cylint_hit *hit = &expected->hit[expected->n];
+        hit->t = nearest_double(o_.at[i].t);
         hit->side = side;
         hit->part = part;
-        describe(o_.at[i].t, want, hit);
+        if (want == CYLINT_WANT_ALL)
+            describe(o_.at[i].t, hit, expected->n);
+        expected->n++;
     }
 }
 
@@ -607,12 +599,16 @@ const cylint_hit *oracle_other(int i)
     return &others_[i];
 }
 
+const oracle_hit *oracle_real_hit(int i)
+{
+    return &real_hits_[i];
+}
+
 void oracle_intersect(const cylint_shape *s, const cylint_line *line,
                       unsigned want, cylint_answer *expected)
 {
     exponents of_d = no_exponents;
     memset(expected, 0, sizeof *expected);
-    hits_ = expected->hit;
     if (s->kind == CYLINT_KIND_NONE || !line->valid) {
         expected->flags = CYLINT_FLAG_INVALID;
         return;

@@ -9,12 +9,13 @@
 #define CYLINT_ORACLE_H
 
 #include "cylint.h"
+#include "real.h"
 
 /* Writes the answer that cylint_intersect() must give.  relation, n, and t,
- * part and side of each hit are always written, other members if `want` names
- * them; NEAREST keeps the first hit only.  t, each component of point and normal,
- * z and phi are the nearest doubles: ties to even, 0 is never -0, a phi that would
- * round to 1 is the double below 1. */
+ * part and side of each hit are always written, other members if `want` is
+ * CYLINT_WANT_ALL.  t, each component of point and normal, z and phi are the
+ * nearest doubles: ties to even, 0 is never -0, a phi that would round to 1 is the
+ * double below 1. */
 void oracle_intersect(const cylint_shape *shape, const cylint_line *line,
                       unsigned want, cylint_answer *expected);
 
@@ -22,6 +23,16 @@ void oracle_intersect(const cylint_shape *shape, const cylint_line *line,
  * number is nearer than 2^-90 of itself to the middle of two doubles, they hold the
  * double that the answer does not hold: both are right. */
 const cylint_hit *oracle_other(int i);
+
+/* The members of a hit, not rounded.  A sphere has no z and no phi. */
+typedef struct {
+    real t, z, phi;
+    vector point, normal;
+} oracle_hit;
+
+/* Those of hit i of the last answer that had all members.  They last until the next
+ * answer. */
+const oracle_hit *oracle_real_hit(int i);
 
 /* The answer that cylint_contains() must give. */
 int oracle_contains(const cylint_shape *shape, const double point[3]);
