@@ -3,7 +3,7 @@
  *
  * The records of hits.txt must have their hits bit for bit, those of hard.txt the
  * relation and each t, with each member wanted alone, in every floating-point
- * environment, from the exact stage alone, and from the oracle.
+ * environment, and from the exact stage alone.
  */
 #include <math.h>
 
@@ -116,18 +116,6 @@ TEST(unwanted_members_are_not_written_and_change_nothing)
 }
 
 #ifdef HAVE_MPFR
-
-TEST(the_oracle_has_the_known_hits)
-{
-    for (int i = 0; i < count; i++) {
-        cylint_answer a;
-        oracle_intersect(&records[i].c.shape, &records[i].c.line,
-                         CYLINT_WANT_ALL, &a);
-        if (!CHECK(same_answer(&a, &records[i].want,
-                               CYLINT_WANT_ALL & records[i].known)))
-            report_answers(&records[i].c, "oracle", &a, &records[i].want);
-    }
-}
 
 /* The normal is the point minus c: 2^-54 before 3/4 and 5/8.  If c[1] exceeds
  * 2^-54 by 2^-94, the second component is nearer to the middle of two doubles

@@ -47,6 +47,7 @@ TEST(library_and_oracle_agree)
     }
     printf("note: seed %llu: %ld cases, %ld hits\n",
            (unsigned long long)check_seed(), n, hits);
+    CHECK(hits > n / 4);
 }
 
 static void ends_at(const struct family_case *given, double tmin, double tmax)
