@@ -42,9 +42,8 @@ static double raw(struct bytes *b)
     return value;
 }
 
-/* Usually a small integer, so that lines touch, graze and lie along; otherwise
- * a recent number, perhaps moved by a few ulp, a power of two, or any double.
- * */
+/* Usually a small integer, so that lines touch, graze and lie along; otherwise a
+ * recent number, perhaps moved by a few ulp, a power of two, or any double. */
 static double draw(struct bytes *b)
 {
     const unsigned kind = next(b);

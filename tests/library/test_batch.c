@@ -62,7 +62,8 @@ static size_t gap_of(const struct layout *at, int i, size_t size)
     return (at->offset + (size_t)i) * size % 64;
 }
 
-/* Only the pack's own memory is written.  The pack that is used is a copy. */
+/* Packs the shapes; that writes to the memory of the pack only.  Batches then use a
+ * copy of the struct. */
 static cylint_pack lay_pack(const struct family_case *shapes, size_t n,
                             const struct layout *at)
 {

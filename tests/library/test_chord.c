@@ -69,8 +69,8 @@ static int expected_chords(const struct family_case *c, cylint_interval *chord)
     return kept;
 }
 
-/* Sometimes a domain that begins or ends at a hit of the whole line or beside
- * it. */
+/* Moves, in half of the cases, one end of the domain to a hit of the whole line, or
+ * to a double beside it. */
 static void limit(struct family_case *c)
 {
     const cylint_line whole = whole_of(c->line);

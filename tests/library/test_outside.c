@@ -182,7 +182,8 @@ TEST(rays_of_wild_sizes_leave_the_solid_or_stay_in_it)
     over_families(1);
 }
 
-/* 0: the point of the hit, unchanged. */
+/* Reads whether there is a point, and the point if it is known.  Where there is
+ * none, the hit's own is returned. */
 static const char *check_record(const char *text, const char *known)
 {
     struct family_case c;

@@ -64,7 +64,8 @@ TEST(members_are_those_of_the_constructors)
     }
 }
 
-/* In every environment. */
+/* Makes the tube of a record in every environment, and compares its status or its
+ * pieces on the record's line. */
 static const char *check_tube(const char *text, const char *known)
 {
     double x[22], t[2 * CYLINT_SOLID_PIECES], count = 0, sector[2][3];

@@ -29,7 +29,8 @@ static int most_ends(int word)
                                                             : CYLINT_ENDS_NAPPE;
 }
 
-/* In every environment. */
+/* Makes the line and the shape of a record in every environment, and compares the
+ * first status that is not CYLINT_OK. */
 static const char *check_status(const char *text, const char *known)
 {
     struct family_case c;
