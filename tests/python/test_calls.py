@@ -14,7 +14,7 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from conftest import ROD, drawn, equal, forest, refused, same
+from conftest import ROD, drawn, equal, forest, rays, refused, same
 
 import libcylint as cylint
 
@@ -22,12 +22,11 @@ BIG = 200_000
 
 
 def test_threads_make_no_difference():
-    shapes, (o, d) = forest(500, 31), drawn(20_000, 32)
-    o = o * 0.1 + 0.5
+    shapes, (o, d), hard = forest(500, 31), rays(20_000, 32), drawn(20_000, 32)
     scene, points = cylint.Scene(shapes, threads=1), o[:2000]
     for ask, *members in (
         (lambda t: scene.nearest(o, d, threads=t), "index", "t"),
-        (lambda t: cylint.intersect(shapes[:40, None], o, d, threads=t), "t", "n"),
+        (lambda t: cylint.intersect(shapes[:40, None], *hard, threads=t), "t", "n"),
         (lambda t: scene.all(o, d, threads=t), "line", "index", "t"),
         (lambda t: scene.closest(points, threads=t), "index", "point"),
         (lambda t: scene.within(points, 0.05, threads=t), "point", "index", "distance"),
@@ -54,7 +53,7 @@ def test_threads_are_a_whole_number():
 
 def test_threads_of_python_share_a_scene():
     scene = cylint.Scene(forest(500, 33))
-    o, d = drawn(20_000, 34)
+    o, d = rays(100_000, 34)
     want, got = scene.nearest(o, d).index, [None] * 4
 
     def ask(i):
@@ -71,8 +70,7 @@ def test_threads_of_python_share_a_scene():
 def test_other_threads_run_during_a_call():
     """The lock is released: a counter counts while a call computes."""
     scene = cylint.Scene(forest(2000, 35))
-    o, d = drawn(30_000, 36)
-    o, counts, stop = o * 0.1 + 0.5, [0], threading.Event()
+    (o, d), counts, stop = rays(100_000, 36), [0], threading.Event()
 
     def count():
         while not stop.is_set():
@@ -108,8 +106,8 @@ def interrupted(after):
 
 def test_a_signal_ends_a_call():
     scene = cylint.Scene(forest(2000, 37))
-    o, d = drawn(1000, 38)
-    o, d = np.tile(o * 0.1 + 0.5, (3000, 1)), np.tile(d, (3000, 1))
+    o, d = rays(1000, 38)
+    d = np.broadcast_to(d, (30_000, 1000, 3))  # minutes of work
     end = time.perf_counter() + 60
     with interrupted(0.2) as spent:
         while time.perf_counter() < end:
@@ -150,15 +148,14 @@ def test_a_signal_ends_the_reading_of_a_pipe(tmp_path):
 
 
 def scene_and_lines():
-    o, d = drawn(50_000, 40)
-    return cylint.Scene(forest(2000, 39)), o * 0.1 + 0.5, d
+    return cylint.Scene(forest(2000, 39)), *rays(200_000, 40)
 
 
 def test_progress_grows_to_the_total():
     shapes, (scene, o, d) = sticks(300_000, 63), scene_and_lines()
     for total, call in (
         (300_000, lambda tell: cylint.Scene(shapes, threads=1, progress=tell)),
-        (50_000, lambda tell: scene.count(o, d, threads=1, progress=tell)),
+        (200_000, lambda tell: scene.count(o, d, threads=1, progress=tell)),
         (1, lambda tell: cylint.Scene(ROD, progress=tell)),
     ):
         calls = []
@@ -215,7 +212,7 @@ def references(*objects):
 
 
 def test_no_reference_is_kept_or_lost():
-    o, d = drawn(300, 44)
+    o, d = rays(300, 44)
     shapes = forest(300, 45)
     watched = (cylint.intersect, o, d, shapes, shapes._records)
     before = references(*watched)
@@ -284,7 +281,7 @@ def test_memory_does_not_grow():
 
     if not os.path.exists("/proc/self/statm"):
         pytest.skip("no /proc")
-    o, d = drawn(500, 48)
+    o, d = rays(500, 48)
     shapes = forest(500, 49)
     for _ in range(20):
         use(shapes, o, d)
