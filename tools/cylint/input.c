@@ -270,25 +270,6 @@ static int change_file(struct input *in, struct block *b)
            open_next(in, b);
 }
 
-/* The first block begins with the bytes that were read here.  It reports the
- * failure of a file that cannot be opened or read. */
-int input_is_empty(struct input *in)
-{
-    struct block b;
-    b.text = in->carry;
-    b.length = 0;
-    while (b.length == 0 && !in->read_errno) {
-        b.fault[0] = '\0';
-        if (!change_file(in, &b)) {
-            in->next -= b.fault[0] != '\0';
-            return b.fault[0] == '\0';
-        }
-        read_bytes(in, &b);
-    }
-    in->carried = b.length;
-    return 0;
-}
-
 static int begin_block(struct input *in, struct block *b)
 {
     b->name = in->name;

@@ -55,9 +55,6 @@ struct input {
 /* Returns 0, or an exit status after a message. */
 int input_open(struct input *in, char *const *files, int count,
                size_t record_size);
-/* Waits for the first byte, before the first block.  Returns whether there is
- * none: all files are empty. */
-int input_is_empty(struct input *in);
 /* Reads the next block.  Its length is 0 at the end of all input and at a
  * fault. */
 void input_read(struct input *in, struct block *block);

@@ -55,24 +55,10 @@ static int reads_terminal(const struct options *o)
     return strcmp(o->files[0], "-") == 0 && isatty(0);
 }
 
-/* If the input has no byte, the scene is not read, unless its labels are the
- * columns; but its file must exist. */
-static int read_scene_if_needed(struct job *job)
-{
-    const struct options *o = job->options;
-    if (!o->scene || o->save)
-        return 0;
-    if (reads_terminal(o) || o->sum || !input_is_empty(&job->in))
-        return read_scene(job);
-    return strcmp(o->scene, "-") != 0 && access(o->scene, R_OK) != 0
-               ? complain_errno(o->scene)
-               : 0;
-}
-
 static int answer_input(struct job *job)
 {
     const struct options *o = job->options;
-    int status = read_scene_if_needed(job);
+    int status = o->scene && !o->save ? read_scene(job) : 0;
     if (status != 0)
         return status;
     if (o->style.is_binary)
