@@ -47,12 +47,6 @@ static int read_radius(const struct option *o, const char *value, void *place)
     return check_value(o, value, read_bounds(value, place, 1));
 }
 
-/* `embree` is an old name of `tree`. */
-static int read_accel(const struct option *o, const char *value, void *place)
-{
-    return read_word(o, strcmp(value, "embree") == 0 ? "tree" : value, place);
-}
-
 static int read_method(const struct option *o, const char *value, void *place)
 {
     int i;
@@ -81,7 +75,7 @@ static const char *const modes[] = {"owner", "union", "cells", "chords", NULL};
 static const char *const sums[] = {"label", "label:t", "total", "total:t",
                                    NULL};
 static const char *const names_of_shapes[] = {"number", "label", NULL};
-static const char *const accels[] = {"auto", "none", "tree", NULL};
+static const char *const accels[] = {"auto", "none", NULL};
 static const char *const bad_policies[] = {"mark", "skip", "stop", NULL};
 static const char *const lists[] = {"methods", "shapes", "columns", NULL};
 
@@ -133,8 +127,8 @@ static const struct option option_table[] = {
      "the domain of lines and rays"},
     {"method", "NAME", read_method, AT(method), "a method of --list=methods", 0,
      0, "answer by a published method, see --list=methods"},
-    {"accel", "HOW", read_accel, AT(accel), accels, 0, 0,
-     "with -s: auto, none or tree; the answers are the same"},
+    {"accel", "HOW", read_word, AT(accel), accels, 0, 0,
+     "with -s: auto or none; the answers are the same"},
     {"p", "N", read_count, AT(style.digits), "1 to 17 digits",
      NUMBER_MAX_DIGITS, 0, NULL},
     {"x", 0, read_flag, AT(style.digits), 0, NUMBER_HEX, 0,

@@ -8,8 +8,8 @@
 #include "cylint_methods.h"
 #include "grammar.h"
 
-/* All but ACCEL_NONE are the same: the hierarchy finds the shapes. */
-enum accel { ACCEL_AUTO, ACCEL_NONE, ACCEL_TREE };
+/* Whether the hierarchy finds the shapes that a line hits. */
+enum accel { ACCEL_AUTO, ACCEL_NONE };
 
 enum bad_policy { BAD_MARK, BAD_SKIP, BAD_STOP };
 
