@@ -133,16 +133,6 @@ static int refuse_number(const struct solids *s, const char *file, size_t solid,
                     (unsigned long long)number);
 }
 
-/* Whether the names are so similar that one may be a slip of the other. */
-static int may_be_slip(struct string name, struct string other)
-{
-    char word[NAME_SHOWN + 1] = "";
-    if (other.length > NAME_SHOWN)
-        return 0;
-    memcpy(word, other.text, other.length);
-    return nearer_word(name, NULL, word) != NULL;
-}
-
 /* Prints a message if the first solid of complements only, which is unbounded, may
  * be a slip of another's name. */
 static int remark_slip(const struct solids *s, const char *file)
@@ -160,8 +150,8 @@ static int remark_slip(const struct solids *s, const char *file)
     if (solid == count)
         other = count;
     while (other < count &&
-           !(has_shape[other] && may_be_slip(names_get(&s->names, solid),
-                                             names_get(&s->names, other))))
+           !(has_shape[other] &&
+             is_near(names_get(&s->names, solid), names_get(&s->names, other))))
         other++;
     if (other < count)
         complain(0, file,

@@ -112,14 +112,20 @@ static int edit_distance(struct string s, struct string word)
 
 /* A word is near if the distance is at most a third of the text's length, or
  * 1, and less than the length. */
+int is_near(struct string s, struct string word)
+{
+    const int length = (int)s.length, third = length < 6 ? 1 : length / 3;
+    return s.length <= COMPARED_MOST && word.length <= COMPARED_MOST &&
+           edit_distance(s, word) <= lesser(third, length - 1);
+}
+
 const char *nearer_word(struct string s, const char *best, const char *word)
 {
-    if (s.length > COMPARED_MOST || strlen(word) > COMPARED_MOST)
-        return best;
-    const int length = (int)s.length, third = length < 6 ? 1 : length / 3;
-    const int most = best ? edit_distance(s, string_of(best)) - 1
-                          : lesser(third, length - 1);
-    return edit_distance(s, string_of(word)) <= most ? word : best;
+    return is_near(s, string_of(word)) &&
+                   (!best || edit_distance(s, string_of(word)) <
+                                 edit_distance(s, string_of(best)))
+               ? word
+               : best;
 }
 
 const char *similar_word(struct words words, struct string s)

@@ -151,6 +151,9 @@ int find_word(struct words words, struct string s);
 /* Writes `a, b or c`.  Returns `to`. */
 const char *list_words(char to[WORDS_CAPACITY], struct words words);
 
+/* Whether the word can be what was meant by the string. */
+int is_near(struct string s, struct string word);
+
 /* Returns the word if it is near to the string, and nearer than `best`; else
  * `best`, which is NULL at first. */
 const char *nearer_word(struct string s, const char *best, const char *word);
