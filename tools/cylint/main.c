@@ -117,17 +117,12 @@ static int answer(struct job *job)
     const struct options *o = job->options;
     const size_t record =
         o->is_binary_in ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
-    const size_t row =
-        o->style.is_binary ? sizeof(double) * options_fields(o)->count : 0;
     if (is_read_too(o, o->output) || is_saved_too(o))
         return EXIT_IO;
-    int status = output_open(&job->out, o->output, row);
+    int status = output_open(&job->out, o->output, 0);
     if (status != 0)
         return status;
-    if (o->is_array)
-        status = output_begin_array(&job->out);
-    if (status == 0)
-        status = input_open(&job->in, o->files, o->file_count, record);
+    status = input_open(&job->in, o->files, o->file_count, record);
     if (status == 0)
         status = o->writes_text ? write_text(job) : answer_input(job);
     input_close(&job->in);

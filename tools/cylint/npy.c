@@ -123,15 +123,3 @@ size_t npy_read(char *bytes, size_t length, size_t columns,
                  ".npy header: magic: expected \\x93NUMPY");
     return whole;
 }
-
-void npy_write(char header[NPY_WRITTEN], unsigned long long rows,
-               size_t columns)
-{
-    char text[NPY_WRITTEN + 1], dictionary[NPY_WRITTEN];
-    snprintf(dictionary, sizeof dictionary,
-             "{'descr': '<f8', 'fortran_order': False, 'shape': (%llu, %lu), }",
-             rows, (unsigned long)columns);
-    snprintf(text, sizeof text, "%s\1%c%c%c%-117.117s\n", magic, 0,
-             NPY_WRITTEN - 10, 0, dictionary);
-    memcpy(header, text, NPY_WRITTEN);
-}

@@ -7,8 +7,7 @@
 #include "text.h"
 
 enum {
-    NPY_PREFIX = 12,   /* bytes that contain the header's length */
-    NPY_WRITTEN = 128, /* bytes of a header of npy_write() */
+    NPY_PREFIX = 12, /* bytes that contain the header's length */
     FAULT_CAPACITY = SHOWN_CAPACITY + 100 /* bytes of a message */
 };
 
@@ -19,10 +18,5 @@ enum {
  * If the header is wrong, writes a message that names the wrong field. */
 size_t npy_read(char *bytes, size_t length, size_t columns,
                 unsigned long long *rows, char wrong[FAULT_CAPACITY]);
-
-/* Writes the header of an array of `rows` rows of doubles.  Its length does not
- * depend on the numbers. */
-void npy_write(char header[NPY_WRITTEN], unsigned long long rows,
-               size_t columns);
 
 #endif

@@ -149,8 +149,6 @@ static const struct option option_table[] = {
     {"binary-in", 0, read_flag, AT(is_binary_in), 0, 1, 0, NULL},
     {"binary-out", 0, read_flag, AT(style.is_binary), 0, 1, 0,
      "little-endian doubles in and out, in, out (needs -k)"},
-    {"npy", 0, read_flag, AT(is_array), 0, 1, 0,
-     "binary answers as a .npy array"},
     {"j", "N", read_count, AT(workers), "a number of workers", INT_MAX, 0,
      "workers, at most; one for each processor by default"},
     {"hits-only", 0, read_flag, AT(hits_only), 0, 1, 0,
@@ -417,7 +415,7 @@ static int settle(struct options *o)
         o->query = QUERY_NEAREST;
     g->no_tail = o->tail_policy == TAIL_REFUSED;
     o->is_binary_in |= o->is_binary;
-    o->style.is_binary |= o->is_binary | o->is_array;
+    o->style.is_binary |= o->is_binary;
     o->sum += is_given(o, "sum");
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == 0; i++)
         status = steps[i](o);

@@ -35,14 +35,14 @@ struct options {
     int swc;           /* enum swc_form of a neuron, or NOT_GIVEN */
     int accel;         /* enum accel */
     enum query query;
-    int piece_mode;                        /* the words of --pieces, from 0 */
-    int sum;                               /* enum sum */
-    int most_pieces;                       /* of a line; 0: all */
-    const char *rank;                      /* the file of --rank, or NULL */
-    struct fields fields, point_fields;    /* of lines, of points */
-    double radius;                         /* of points, by --within */
-    unsigned signed_flag;                  /* of points: CYLINT_SIGNED or 0 */
-    int is_binary, is_binary_in, is_array; /* -b; records are doubles; .npy */
+    int piece_mode;                     /* the words of --pieces, from 0 */
+    int sum;                            /* enum sum */
+    int most_pieces;                    /* of a line; 0: all */
+    const char *rank;                   /* the file of --rank, or NULL */
+    struct fields fields, point_fields; /* of lines, of points */
+    double radius;                      /* of points, by --within */
+    unsigned signed_flag;               /* of points: CYLINT_SIGNED or 0 */
+    int is_binary, is_binary_in;        /* -b; records are doubles */
     struct style style;
     const cylint_method *method; /* NULL: cylint_intersect() */
     int bad_policy;              /* enum bad_policy */

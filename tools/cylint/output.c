@@ -13,7 +13,6 @@
 #include <unistd.h>
 
 #include "report.h"
-#include "npy.h"
 #include "output.h"
 
 enum { NAME_KEPT = 200, TRIES = 100 };
@@ -173,33 +172,6 @@ static int open_target(struct output *out, const char *name)
     return ftruncate(fd, 0) == 0 ? 0 : complain_errno(out->name);
 }
 
-/* Returns whether all bytes are on the disk.  Not all file systems support
- * fsync(); a disk may become full only now. */
-static int is_stored(int fd)
-{
-    int status;
-    do {
-        status = fsync(fd);
-    } while (status != 0 && errno == EINTR);
-    return status == 0 || errno == EINVAL || errno == ENOTSUP;
-}
-
-static int close_target(struct output *out, int is_whole)
-{
-    int status = 0;
-    if (out->part[0] && is_whole && !is_stored(out->fd))
-        status = complain_errno(out->name);
-    if (close(out->fd) != 0 && errno != EINTR && status == 0)
-        status = complain_errno(out->name);
-    if (out->part[0] && is_whole && status == 0 &&
-        rename(out->part, out->place) != 0)
-        status = complain_errno(out->name);
-    if (out->part[0] && (!is_whole || status != 0))
-        unlink(out->part);
-    has_part = 0;
-    return status;
-}
-
 /* -------------------------------------------------------------- output -- */
 
 /* Opens each standard stream that is closed in the wrong direction, so that
@@ -227,32 +199,10 @@ int output_is_input(const char *file, const char *input)
     return output_is_file(file, input, "is both input and output");
 }
 
-static int put_array_header(struct output *out, unsigned long long rows)
-{
-    char header[NPY_WRITTEN];
-    npy_write(header, rows, out->row_size / sizeof(double));
-    return output_write(out, header, sizeof header);
-}
-
-/* The number of rows is written at the end, so the file must be seekable. */
-int output_begin_array(struct output *out)
-{
-    struct stat s;
-    const int is_seekable = fstat(out->fd, &s) == 0 && S_ISREG(s.st_mode) &&
-                            !(fcntl(out->fd, F_GETFL) & O_APPEND);
-    if (!is_seekable)
-        return complain(EXIT_IO, out->name, "a .npy array must go to a file");
-    const off_t at = lseek(out->fd, 0, SEEK_CUR);
-    const int status = put_array_header(out, 0);
-    out->header_at = status == 0 ? (long long)at : -1;
-    return status;
-}
-
 /* Reports a closed standard output even if there is no output. */
 int output_open(struct output *out, const char *name, size_t row_size)
 {
     out->row_size = row_size;
-    out->header_at = -1;
     const int status = open_target(out, name);
     if (status == 0 && (fcntl(out->fd, F_GETFL) & O_ACCMODE) == O_RDONLY) {
         errno = EBADF;
@@ -306,21 +256,29 @@ int output_write(struct output *out, const char *data, size_t length)
     return 0;
 }
 
-/* Completes the .npy header.  Rows that could not be written are not counted,
- * nor is a half row, which was cut off. */
-static int finish_array(struct output *out)
+/* Returns whether all bytes are on the disk.  Not all file systems support
+ * fsync(); a disk may become full only now. */
+static int is_stored(int fd)
 {
-    const off_t at = lseek(out->fd, 0, SEEK_CUR);
-    if (at == -1 || lseek(out->fd, (off_t)out->header_at, SEEK_SET) == -1)
-        return complain_errno(out->name);
-    const long long bytes = (long long)at - out->header_at - NPY_WRITTEN;
-    return put_array_header(out, (unsigned long long)bytes / out->row_size);
+    int status;
+    do {
+        status = fsync(fd);
+    } while (status != 0 && errno == EINTR);
+    return status == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
 int output_close(struct output *out, int is_whole)
 {
-    const int stays = is_whole || !out->part[0];
-    const int status = out->header_at >= 0 && stays ? finish_array(out) : 0;
-    const int closed = close_target(out, is_whole && status == 0);
-    return status != 0 ? status : closed;
+    int status = 0;
+    if (out->part[0] && is_whole && !is_stored(out->fd))
+        status = complain_errno(out->name);
+    if (close(out->fd) != 0 && errno != EINTR && status == 0)
+        status = complain_errno(out->name);
+    if (out->part[0] && is_whole && status == 0 &&
+        rename(out->part, out->place) != 0)
+        status = complain_errno(out->name);
+    if (out->part[0] && (!is_whole || status != 0))
+        unlink(out->part);
+    has_part = 0;
+    return status;
 }

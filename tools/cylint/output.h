@@ -24,7 +24,6 @@ struct output {
     char place[PART_MOST]; /* the file itself, where `name` is a link */
     char part[PART_MOST];  /* its name until it is whole; "": in place */
     size_t row_size;       /* bytes of a binary row; 0: rows are lines */
-    long long header_at; /* position of the .npy header in the file; -1: none */
 };
 
 /* Opens those of the descriptors 0 to 2 that are closed.  Otherwise the next
@@ -45,8 +44,6 @@ int output_is_input(const char *file, const char *input);
  * at a time. */
 /* name: NULL for standard output. */
 int output_open(struct output *out, const char *name, size_t row_size);
-/* Begins a .npy array of rows, which output_close() completes. */
-int output_begin_array(struct output *out);
 /* A file that cannot take all bytes ends with a whole row. */
 int output_write(struct output *out, const char *data, size_t length);
 /* is_whole: the file takes its place.  0: what was written is removed; a
