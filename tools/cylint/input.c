@@ -77,7 +77,7 @@ static int fail(struct block *b, const char *why)
 static int open_next(struct input *in, struct block *b)
 {
     const char *file = in->files[in->next++];
-    in->name = b->name = is_stdin(file) ? "stdin" : file;
+    in->name = b->name = file;
     in->fd = is_stdin(file) ? 0 : open_file(file, O_RDONLY, 0);
     if (in->fd < 0)
         return fail(b, strerror(errno));

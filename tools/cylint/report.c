@@ -126,6 +126,13 @@ void count_bad(struct notes *notes)
 
 /* ------------------------------------------------------------ printing -- */
 
+static const char *escaped_name(char shown[SHOWN_CAPACITY], const char *name)
+{
+    return strcmp(name, "-") == 0 ? "stdin"
+           : *name                ? escape(shown, string_of(name), SHOWN_MOST)
+                                  : "''";
+}
+
 /* lint: va_start() was called */
 int complain(int status, const char *name, const char *format, ...)
 {
@@ -134,8 +141,7 @@ int complain(int status, const char *name, const char *format, ...)
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    message("%s: %s", *name ? escape(shown, string_of(name), SHOWN_MOST) : "''",
-            text);
+    message("%s: %s", escaped_name(shown, name), text);
     return status;
 }
 
@@ -148,8 +154,7 @@ int complain_at(const char *name, unsigned long long line,
                 unsigned long long column, const char *what)
 {
     char shown[SHOWN_CAPACITY];
-    message("%s:%llu:%llu: %s", escape(shown, string_of(name), SHOWN_MOST),
-            line, column, what);
+    message("%s:%llu:%llu: %s", escaped_name(shown, name), line, column, what);
     return EXIT_BAD;
 }
 

@@ -108,7 +108,7 @@ void report_notes(struct report *report, struct notes *notes, const char *name);
 void report_end(const struct report *report);
 
 /* All return an exit status after a message. */
-/* EXIT_BAD: `PROGRAM: NAME:LINE:COLUMN: WHAT`, NAME escaped. */
+/* EXIT_BAD: `PROGRAM: NAME:LINE:COLUMN: WHAT`, NAME escaped, `-` as stdin. */
 int complain_at(const char *name, unsigned long long line,
                 unsigned long long column, const char *what);
 /* `status`: `PROGRAM: NAME: ` and a text in the format of printf(). */
