@@ -443,15 +443,19 @@ static int has_late_word(struct reader r, const struct grammar *g)
     return 0;
 }
 
-/* A word for the ends without `ends=`, or with blanks around `=`. */
-static int has_bare_ends(struct reader r, const struct grammar *g)
+/* A word for the ends without `ends=`, or a blank before `=`. */
+static int has_bare_word(struct reader r, const struct grammar *g)
 {
-    if (!g->has_shape || r.has_word ||
-        (find_word(WORDS(ends_words), field(&r)) == NOT_GIVEN &&
-         !is_next(&r, "ends =")))
+    const int is_solid =
+        !g->has_line && (is_next(&r, "in =") || is_next(&r, "out ="));
+    const int is_ends = g->has_shape && !r.has_word &&
+                        (find_word(WORDS(ends_words), field(&r)) != NOT_GIVEN ||
+                         is_next(&r, "ends ="));
+    if (!is_solid && !is_ends)
         return 0;
     refuse_field(&r, "this word has no effect in a tail");
-    advise(r.notes, "ends=WORD sets the ends");
+    advise(r.notes, is_solid ? "in=NAME and out=NAME have no blanks"
+                             : "ends=WORD sets the ends");
     return 1;
 }
 
@@ -478,7 +482,7 @@ static int read_tail(struct reader *r, const struct grammar *g,
     }
     remark_decimal_comma(r);
     if (wants_remark(r->notes, REMARK_LATE_WORD) &&
-        (has_late_shape(*r, g) || has_late_word(*r, g) || has_bare_ends(*r, g)))
+        (has_late_shape(*r, g) || has_late_word(*r, g) || has_bare_word(*r, g)))
         make_remark(r->notes, REMARK_LATE_WORD);
     return 0;
 }
