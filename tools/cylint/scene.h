@@ -35,9 +35,9 @@ int solids_read(struct solids *solids, size_t shape, struct string words,
  * after a message. */
 int solids_add(struct solids *solids, const cylint_member *member);
 
-/* Numbers the clauses of their own, when all members of the file are added: each
- * has the lowest number that is free in its solid.  Returns 0, or an exit status
- * after a message: EXIT_BAD if two solids have the same first shape. */
+/* Numbers the clauses of their own, when all members of the file are added: above
+ * the others of their solid.  Returns 0, or an exit status after a message:
+ * EXIT_BAD if two solids have the same first shape. */
 int solids_complete(struct solids *solids, size_t shapes, const char *file);
 
 /* Returns a new array with the number that the library gives to each solid, from 1:

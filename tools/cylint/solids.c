@@ -73,33 +73,24 @@ int compare_by_solid(const void *a, const void *b)
                                 : (m->shape > n->shape) - (m->shape < n->shape);
 }
 
-/* Gives each clause of its own the lowest number that its solid does not have.
- * Members of clause 0 come first, in the order of the file.  Returns 0 if there is
- * no memory. */
+/* Gives each clause of its own the number above all of its solid so far.  Returns 0
+ * if there is no memory. */
 static int number_clauses(struct solids *s)
 {
-    cylint_member *sorted = malloc((s->count + 1) * sizeof *sorted);
-    if (!sorted)
+    int *largest = calloc(s->names.texts.count + 1, sizeof *largest);
+    if (!largest)
         return 0;
-    for (size_t i = 0; i < s->count; i++)
-        sorted[i] = (cylint_member){i, s->member[i].solid, s->member[i].clause};
-    qsort(sorted, s->count, sizeof *sorted, compare_by_solid);
-    int clause = 0;
-    for (size_t i = 0, given = 0; i < s->count; i++) {
-        const size_t solid = sorted[i].solid;
-        if (i == 0 || solid != sorted[i - 1].solid) {
-            clause = 0;
-            given = i;
-        }
-        if (sorted[i].clause != 0)
-            continue;
-        for (clause++; given < s->count && sorted[given].solid == solid &&
-                       abs(sorted[given].clause) <= clause;
-             given++)
-            clause += abs(sorted[given].clause) == clause;
-        s->member[sorted[i].shape].clause = -clause;
+    for (size_t i = 0; i < s->count; i++) {
+        const cylint_member *m = &s->member[i];
+        if (abs(m->clause) > largest[m->solid])
+            largest[m->solid] = abs(m->clause);
     }
-    free(sorted);
+    for (size_t i = 0; i < s->count; i++) {
+        cylint_member *m = &s->member[i];
+        if (m->clause == 0)
+            m->clause = -++largest[m->solid];
+    }
+    free(largest);
     return 1;
 }
 
