@@ -6,13 +6,13 @@ OUTPUT, cylint.c, compiles with `cc -c cylint.c`.  Every FILE.c is a section.  A
 argument adds a section for an instruction set: FILE.c again with -D and -m of
 FLAGS, for gcc and clang on x86.
 
-Headers that are the same for all files come first.  What several sections need under
-different macros is a part: templates, headers that depend on the instruction set (they
-include a header of intrinsics) if several files include them, and files with several
-builds.  They stand beside OUTPUT, which includes them with CYLINT_PART, the number of a
-part, defined.  cylint_builds.h has headers and files, cylint_templates.h has templates;
-its part 1 undefines all macros of parts.  Two files, because compilers read a file to
-its end.
+Headers that are the same for all files come first.  A part is a text that several
+sections need under different macros: a template; a header of an instruction set (it
+includes a header of intrinsics), if several files include it; a file with several
+builds.  Parts stand in two files beside OUTPUT: cylint_templates.h has the templates,
+cylint_builds.h the others.  OUTPUT defines CYLINT_PART, the number of a part, and
+includes its file.  Part 1 of cylint_templates.h undefines all macros of parts.  There
+are two files because compilers read a file to its end.
 
 Names of file scope get the number of their section: all names of parts, and the names of
 other files that several files define.  The preprocessor (CC -E) shows the names, and
