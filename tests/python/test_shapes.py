@@ -204,6 +204,8 @@ def test_numpy_does_not_join_shapes():
         ("", lambda: np.asarray(rods)),
         ("", lambda: rods + np.ones(2)),
         ("expected Shapes, found list", lambda: cylint.concatenate([rods, [1]])),
+        ("expected Shapes, found int", lambda: cylint.concatenate(5)),
+        ("expected Shapes, found int", lambda: cylint.Scene(5)),
     ):
         with refused(message, TypeError):
             wrong()

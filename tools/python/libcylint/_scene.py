@@ -519,9 +519,7 @@ class Scene:
         >>> wall.index, wall.t, wall.normal[1]
         (array([0, 1]), array([3., 1.]), array([-1.,  0.,  0.]))
         """
-        found = self._answer(_core.Scene.first_boundary, lines, "itbbvv")
-        index, t, part, side, point, normal = found
-        return Boundaries(index, t, point, normal, side, part)
+        return Boundaries(*self._answer(_core.Scene.first_boundary, lines, "itvvbb"))
 
     @takes(BallsWithin)
     def closest(self, around: BallsWithin) -> ClosestShapes:

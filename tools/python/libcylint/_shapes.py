@@ -710,7 +710,7 @@ def concatenate(shapes: Iterable[Shapes]) -> Shapes:
 
 def checked(parts: Iterable[Shapes]) -> Iterator[Shapes]:
     """Arrays of shapes; raises TypeError for what is none."""
-    for part in parts:
+    for part in parts if isinstance(parts, Iterable) else [parts]:
         if not isinstance(part, Shapes):
             raise TypeError(f"expected Shapes, found {type(part).__name__}")
         yield part

@@ -203,7 +203,7 @@ void sums(const Question &q, const Ray &ray, const Answer &put)
         throw std::bad_alloc();
 }
 
-/* index, t, part, side, point (..., 3), normal (..., 3) */
+/* As Boundaries: index, t, point (..., 3), normal (..., 3), side, part */
 void boundary(const Question &q, const Ray &ray, const Answer &put)
 {
     cylint_hit hit;
@@ -211,7 +211,7 @@ void boundary(const Question &q, const Ray &ray, const Answer &put)
         first_boundary(q.scene, &ray.line, CYLINT_WANT_ALL, &hit, &memory));
     if (found >= q.n)
         hit = no_hit;
-    put(q.number(found), hit.t, hit.part, hit.side, hit.point, hit.normal);
+    put(q.number(found), hit.t, hit.point, hit.normal, hit.side, hit.part);
 }
 
 /* ------------------------------------------------------- one line, rows -- */
