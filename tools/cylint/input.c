@@ -296,7 +296,7 @@ static void cut_block(struct input *in, struct block *b, size_t whole)
 }
 
 /* Returns why a file with this beginning is refused, or NULL.  No line of text has
- * such a beginning; of doubles four bytes are compared, which do not
+ * such a beginning; of doubles at least four bytes are compared, which do not
  * occur in data by chance. */
 static const char *fault_of_beginning(const struct input *in,
                                       const struct block *b)
@@ -314,6 +314,8 @@ static const char *fault_of_beginning(const struct input *in,
         {"\x1f\x8b\x08\x08", 2, 4, gzip},
         {"PK\3\4", 4, 4, "is a ZIP archive, as .npz files are; unpack it"},
         {"\x93NUMPY", 6, 0, "is a .npy array, not text: see --binary-in"},
+        {"\211CYLINT", 7, 7,
+         "is a saved scene: -s FILE reads it, but not from a pipe"},
         {"\xff\xfe", 2, 0, utf_16},
         {"\xfe\xff", 2, 0, utf_16}};
     for (size_t i = 0; i < sizeof beginnings / sizeof *beginnings; i++) {

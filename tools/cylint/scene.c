@@ -74,13 +74,6 @@ struct reading {
     struct grammar grammar;
 };
 
-static int is_saved(const char *bytes, size_t length)
-{
-    cylint_scene_status status;
-    cylint_scene_free(cylint_scene_open_memory(bytes, length, 0, &status));
-    return status != CYLINT_SCENE_EFORMAT && status != CYLINT_SCENE_EMEMORY;
-}
-
 /* Adds the shape of a line, and to the solids that it names. */
 static int add_shape_of_line(void *context, const char *line, const char *end,
                              struct notes *notes)
@@ -88,11 +81,8 @@ static int add_shape_of_line(void *context, const char *line, const char *end,
     struct reading *r = context;
     struct record record;
     const size_t number = r->scene->count;
-    if (read_record(&r->grammar, line, end, &record, notes)) {
-        if (is_saved(line, (size_t)(notes->end - line)))
-            advise(notes, "a saved scene cannot be read from a pipe");
+    if (read_record(&r->grammar, line, end, &record, notes))
         return EXIT_BAD;
-    }
     const int status = scene_add(r->scene, &record);
     return status != 0 || record.words.length == 0
                ? status
