@@ -185,50 +185,32 @@ exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
     return x;
 }
 
-/* lint: i - 32 * position is below 32 */
-/* Bit number i of |x|.  Bit 0 has the weight 1. */
-static unsigned bit_at(exact x, int i)
+/* Whether |x| has a bit below its leading ones. */
+static int has_lower_bits(exact x, int shift)
 {
-    const int position = (i >= 0 ? i : i - 31) / 32;
-    return limb_at(x, position) >> (i - 32 * position) & 1;
-}
-
-static int highest_bit(exact x)
-{
-    int i = 32 * cylint_top_of(x) - 1;
-    while (!bit_at(x, i))
-        i--;
-    return i;
-}
-
-static int any_below(exact x, int i)
-{
-    int lowest = 32 * x.exponent;
-    while (!bit_at(x, lowest))
-        lowest++;
-    return lowest < i;
+    uint32_t lower = x.n > 2 ? x.limb[x.n - 3] << shift : 0;
+    for (int i = 0; i < x.n - 3; i++)
+        lower |= x.limb[i];
+    return lower != 0;
 }
 
 double cylint_exact_nearest(exact x, int e)
 {
+    int shift;
     if (x.sign == 0)
         return 0;
-    const int first = highest_bit(x), exponent = first + e;
+    const uint64_t leading = cylint_leading_bits(x, &shift);
+    const int exponent = 32 * cylint_top_of(x) - 1 - shift + e;
     uint64_t bits = (uint64_t)0x7ff << 52; /* infinite */
-    if (exponent <= 1023) {
-        const int last = exponent < -1022 ? -1074 - e : first - 52;
-        bits = 0;
-        for (int i = first; i >= last;) { /* the bits of one limb */
-            const int shift = i & 31;
-            /* mutant '>' -> '>=': last & 31 is 0 then */
-            const int from = last > i - shift ? last & 31 : 0;
-            const uint32_t limb = limb_at(x, (i - shift) / 32) << (31 - shift);
-            bits = bits << (shift - from + 1) | limb >> (31 - shift + from);
-            i -= shift + 1;
-        }
-        if (bit_at(x, last - 1) && (bits & 1 || any_below(x, last - 1)))
+    if (exponent < -1075) {
+        bits = 0; /* below half of the least double */
+    } else if (exponent <= 1023) {
+        const int digits = exponent < -1022 ? exponent + 1075 : 53;
+        const uint64_t below = leading << digits;
+        bits = digits > 0 ? leading >> (64 - digits) : 0;
+        if (below >> 63 && (bits & 1 || below << 1 || has_lower_bits(x, shift)))
             bits++;
-        if (exponent >= -1022) /* the leading bit adds one more */
+        if (digits == 53) /* the leading bit adds one more */
             bits += (uint64_t)(exponent + 1022) << 52;
     }
     return cylint_from_bits(x.sign < 0 ? bits | (uint64_t)1 << 63 : bits);

@@ -87,6 +87,20 @@ static inline int cylint_only_sign(cylint_arena *arena, int used, int sign)
     return sign;
 }
 
+/* The 64 bits of |x| from the highest that is 1, bit 31 - shift of the highest
+ * limb.  x is not 0. */
+static inline uint64_t cylint_leading_bits(exact x, int *shift)
+{
+    const uint64_t low = x.n > 1 ? x.limb[x.n - 2] : 0,
+                   high = (uint64_t)x.limb[x.n - 1] << 32 | low,
+                   lower = x.n > 2 ? x.limb[x.n - 3] : 0;
+    int k = 0;
+    while (!(high << k >> 63))
+        k++;
+    *shift = k;
+    return high << k | lower << k >> 32;
+}
+
 /* The double of a rank of 0 or more (bits.h), and 2^1024 for infinity. */
 static inline exact cylint_exact_of_rank(cylint_arena *arena, int64_t rank)
 {

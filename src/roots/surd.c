@@ -42,30 +42,22 @@ exact cylint_sum_of_sizes(cylint_arena *arena, exact x, exact y)
     return cylint_leading(cylint_exact_add(arena, x, y));
 }
 
-/* The 64 bits below the point of x / 4^k, which is 1/4 or more and below 1. */
-static uint64_t leading_bits(exact x, int *k)
-{
-    const uint64_t lower = x.n > 2 ? x.limb[x.n - 3] : 0;
-    uint64_t X = (uint64_t)x.limb[x.n - 1] << 32;
-    X |= x.n > 1 ? x.limb[x.n - 2] : 0;
-    int shift = 0;
-    while (!(X << shift >> 62))
-        shift += 2;
-    *k = 16 * cylint_top_of(x) - shift / 2;
-    return X << shift | lower << shift >> 32;
-}
-
 /* 2^(60 + k) / sqrt(x) with an error of at most 80, by integers, so that it is the
  * same in every rounding mode: Newton's steps y (3 - X y^2) / 2 with 30 bits after
  * the point from y = 1, and the last one, y + y e / 2, with 60. */
 static uint64_t first_inverse_root(exact x, int *k)
 {
-    const uint64_t X = leading_bits(x, k), high = X >> 32, low = X & UINT32_MAX,
+    int shift;
+    const uint64_t leading = cylint_leading_bits(x, &shift);
+    /* the bits of x / 4^k below the point, which is 1/4 or more and below 1 */
+    const uint64_t X = leading >> (shift & 1);
+    const uint64_t high = X >> 32, low = X & UINT32_MAX,
                    three = (uint64_t)3 << 30;
     uint64_t y = (uint64_t)1 << 30;
     /* mutant '6' -> '7', '<' -> '<=': slower, y has all its digits */
     for (int i = 0; i < 6; i++)
         y = y * (three - (high * (y * y >> 30) >> 32)) >> 31;
+    *k = 16 * cylint_top_of(x) - shift / 2;
     const uint64_t a = y * y >> 32, b = y * y & UINT32_MAX;
     const uint64_t Xyy = high * a + (high * b >> 32) + (low * a >> 32);
     const int64_t e = (int64_t)(((uint64_t)1 << 60) - Xyy);
