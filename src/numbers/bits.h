@@ -54,7 +54,7 @@ static inline int cylint_exponent(double x)
     return (int)(cylint_bits(x) >> 52 & 0x7ff) - 1023;
 }
 
-/* x 2^e, rounded at most once. */
+/* The double nearest to x 2^e. */
 double cylint_scaled(double x, int e);
 
 /* The same as cylint_exponent(), also for subnormal x. */

@@ -282,14 +282,13 @@ TEST(totals_are_rounded_once)
 }
 
 /* Most results are subnormal, or nearly: the processor may flush them. */
-TEST(a_scaled_double_is_rounded_once_in_every_environment)
+TEST(a_scaled_double_is_the_nearest_one_in_every_environment)
 {
     EACH_ENVIRONMENT(there)
         for (int i = 0; i < cases() / 10; i++) {
             const double x = any_double();
             const int of_x = x == 0 ? 0 : ilogb(x);
             const int e = one_of(4) ? one_of(64) - 1080 - of_x : one_of(2200);
-            fesetround(there.rounding);
             const double want = ldexp(x, e);
             environment_set(there);
             const double got = cylint_scaled(x, e);
