@@ -102,41 +102,19 @@ static described described_at(cylint_query *q, cylint_root root)
 
 /* ------------------------------------------------------------- point --- */
 
-/* Coordinate i of the centre of a cap, rounded. */
-static double cap_center(const cylint_shape *s, int cap, int i)
+static void write_point(const described *at, double point[3])
 {
-    return !cap || cylint_has_end_points(s->kind)
-               ? cylint_end_center(s, cap, i)
-               : cylint_difference(cylint_base(s)[i], -cylint_axis(s)[i]).hi;
-}
-
-/* The coordinates that do not depend on t; returns the bits of the others. */
-static unsigned fixed_coordinates(const cylint_query *q, cylint_root root,
-                                  double point[3])
-{
-    const cylint_line *l = q->line;
-    unsigned varying = 0;
+    cylint_query *q = at->q;
     for (int i = 0; i < 3; i++) {
-        const int rests = !cylint_sign(l->d[i]); /* then d_lo is 0 too */
-        if (!rests && !(is_on_cap(q, root) && cylint_end_is_level(q->shape, i)))
-            varying |= 1u << i;
-        else
-            point[i] = cylint_positive_zero(
-                rests ? l->o[i] : cap_center(q->shape, root == ROOT_CAP1, i));
-    }
-    return varying;
-}
-
-static void write_point(const described *at, unsigned varying, double point[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const int used = at->q->arena.used;
-        if (!(varying >> i & 1))
-            continue;
-        const exact o = cylint_exact_from(&at->q->arena, at->q->line->o[i]);
-        point[i] = cylint_nearest_at(at->q, ROUNDED_QUOTIENT, &at->t, o,
-                                     at->at_o.u[i], at->at_o.one);
-        at->q->arena.used = used;
+        const int used = q->arena.used;
+        const double o = q->line->o[i];
+        const exact d = at->at_o.u[i];
+        point[i] = d.sign == 0
+                       ? cylint_positive_zero(o)
+                       : cylint_nearest_at(q, ROUNDED_QUOTIENT, &at->t,
+                                           cylint_exact_from(&q->arena, o), d,
+                                           at->at_o.one);
+        q->arena.used = used;
     }
 }
 
@@ -229,20 +207,20 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
     const int has_axis = !cylint_has_no_axis(q->shape);
     const int has_z = has_axis && !is_on_cap(q, root),
               has_phi = has_axis && !apex && !cylint_is_plane(q->kind);
-    const unsigned varying =
-        want & CYLINT_WANT_POINT ? fixed_coordinates(q, root, hit->point) : 0;
     if ((want & CYLINT_WANT_Z) && !has_z)
         hit->z = is_on_cap(q, root) && root == ROOT_CAP1;
     if ((want & CYLINT_WANT_PHI) && !has_phi)
         hit->phi = 0;
-    const unsigned from_root = (want & CYLINT_WANT_NORMAL) |
-                               (has_z ? want & CYLINT_WANT_Z : 0) |
-                               (has_phi ? want & CYLINT_WANT_PHI : 0);
-    if (!varying && !from_root)
+    const unsigned from_root =
+        (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) |
+        (has_z ? want & CYLINT_WANT_Z : 0) |
+        (has_phi ? want & CYLINT_WANT_PHI : 0);
+    if (!from_root)
         return;
     const described at = described_at(q, root);
     const int kept = q->arena.used;
-    write_point(&at, varying, hit->point);
+    if (want & CYLINT_WANT_POINT)
+        write_point(&at, hit->point);
     if (want & CYLINT_WANT_NORMAL)
         write_normal(&at, part, apex, hit->normal);
     q->arena.used = kept;

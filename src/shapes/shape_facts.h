@@ -288,12 +288,6 @@ CYLINT_INLINE double cylint_end_factor(const cylint_shape *s, int end)
     return end ? cylint_r1(s) : cylint_r0(s);
 }
 
-/* Coordinate i of the centre of an end that is given. */
-CYLINT_INLINE double cylint_end_center(const cylint_shape *s, int end, int i)
-{
-    return end ? cylint_top(s)[i] : cylint_base(s)[i];
-}
-
 /* The unit of r0 and r1 of a circular kind: the length of the axis for an acone,
  * whose r1 is a tangent, else 1. */
 CYLINT_INLINE double cylint_radius_unit(const cylint_shape *s, double length)
