@@ -43,22 +43,14 @@ CYLINT_INLINE int cylint_from_plane(const cylint_shape *s, const double x[3],
     return serves;
 }
 
-/* The length of the normal, with a relative error of 2^-103 + CYLINT_PAIR_SQRT. */
-static inline pair cylint_normal_length(const double n[3])
+/* The length of the normal. */
+static inline bounded_pair cylint_normal_length(const double n[3])
 {
     pair square = {0, 0};
     for (int i = 0; i < 3; i++)
         square = pair_add(square, two_prod(n[i], n[i]));
-    return pair_sqrt(square);
-}
-
-/* x over the length of the normal. */
-static inline bounded_pair cylint_over_length(bounded_pair x, pair length)
-{
-    const pair q = pair_div(x.v, length);
-    return (bounded_pair){q, x.error / length.hi * 0x1.01p0 +
-                                 fabs(q.hi) * (0x1p-103 + CYLINT_PAIR_SQRT +
-                                               2 * CYLINT_PAIR_DIV)};
+    const pair length = pair_sqrt(square);
+    return (bounded_pair){length, length.hi * (0x1p-103 + CYLINT_PAIR_SQRT)};
 }
 
 /* Writes the signed distance of a point at `from` from p, with `above` along the
@@ -75,7 +67,7 @@ static inline int cylint_plane_distance(const cylint_shape *s,
             *distance = from[i].hi * cylint_sign(n[i]);
             return 1;
         }
-    const bounded_pair d = cylint_over_length(above, cylint_normal_length(n));
+    const bounded_pair d = cylint_quotient(above, cylint_normal_length(n));
     *distance = d.v.hi + 0.0; /* no -0 */
     return cylint_is_rounded(d) || cylint_is_exact_zero(above);
 }
@@ -96,20 +88,6 @@ static inline int cylint_side_of_plane(const cylint_shape *s,
                                            : CYLINT_SIGN_UNDECIDED;
 }
 
-/* The root -above / slope.  Its error: those of both numbers, the quotient's, and
- * 2^-1000, so that only an exact 0 has none. */
-CYLINT_INLINE bounded_pair cylint_plane_root(bounded_pair above,
-                                             bounded_pair slope)
-{
-    const pair t = pair_div(pair_neg(above.v), slope.v);
-    const double size = fabs(t.hi), inverse = fabs(1 / slope.v.hi);
-    if (cylint_is_exact_zero(above))
-        return (bounded_pair){{0, 0}, 0};
-    return (bounded_pair){t, (above.error + size * slope.error) *
-                                     (inverse * 0x1.01p0) +
-                                 size * (2 * CYLINT_PAIR_DIV) + 0x1p-1000};
-}
-
 /* The slope of the height above the plane along the line, in *slope, and the root.
  * Returns 0 if pairs do not serve the line's origin, or the slope is not certainly
  * far from 0. */
@@ -124,7 +102,9 @@ CYLINT_INLINE int cylint_line_to_plane(const cylint_shape *s,
     *slope = cylint_along_normal(d, cylint_axis(s));
     if (!serves || !(fabs(slope->v.hi) > 0x1p60 * slope->error))
         return 0;
-    *t = cylint_plane_root(cylint_along_normal(from, cylint_axis(s)), *slope);
+    /* inexact ones have an error of more than 2^-1022: the slope is below 2^122 */
+    *t = cylint_quotient(cylint_along_normal(from, cylint_axis(s)), *slope);
+    t->v = pair_neg(t->v);
     return 1;
 }
 
@@ -169,7 +149,7 @@ static inline int cylint_intersect_plane(const cylint_shape *s,
          !cylint_is_exact_zero(t)))
         return CYLINT_UNDECIDED;
     if (answer->n && want & CYLINT_WANT_T)
-        answer->hit[0].t = t.v.hi;
+        answer->hit[0].t = t.v.hi + 0.0; /* no -0 */
     if (answer->n && want & CYLINT_WANT_PART) {
         answer->hit[0].part = CYLINT_PART_LATERAL;
         answer->hit[0].side =
@@ -205,11 +185,11 @@ static inline int cylint_plane_coordinate(const cylint_shape *s,
 static inline int cylint_plane_normal(const cylint_shape *s, double normal[3])
 {
     const double *n = cylint_axis(s);
-    const pair length = cylint_normal_length(n);
+    const bounded_pair length = cylint_normal_length(n);
     int certain = 1;
     for (int i = 0; i < 3; i++) {
         const bounded_pair x = {{n[i], 0}, 0};
-        const bounded_pair unit = cylint_over_length(x, length);
+        const bounded_pair unit = cylint_quotient(x, length);
         normal[i] = unit.v.hi + 0.0; /* no -0 */
         certain &= cylint_sign(n[i]) == 0 || cylint_is_rounded(unit);
     }

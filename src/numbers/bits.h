@@ -188,6 +188,19 @@ static inline int cylint_is_exact_zero(bounded_pair x)
     return x.v.hi == 0 && x.error == 0;
 }
 
+/* x / y.  Its error is that of x over y, the relative errors of y and of the division,
+ * and their products, each below CYLINT_FIRST_ORDER of one of these
+ * (CYLINT_ROOT_SLACK).  Infinite where the error of y is not so small. */
+static inline bounded_pair cylint_quotient(bounded_pair x, bounded_pair y)
+{
+    const pair q = pair_div(x.v, y.v);
+    const double inverse = fabs(1 / y.v.hi), of_y = y.error * inverse;
+    const double error =
+        x.error * inverse + fabs(q.hi) * (of_y + CYLINT_PAIR_DIV);
+    return (bounded_pair){
+        q, of_y < CYLINT_FIRST_ORDER ? CYLINT_ROOT_SLACK * error : HUGE_VAL};
+}
+
 /* Far from 0 and from the largest double. */
 static inline int cylint_is_moderate(bounded_pair x)
 {

@@ -31,18 +31,6 @@ static double relative_error(bounded_pair x)
     return x.error / fabs(x.v.hi);
 }
 
-/* x / y.  Relative errors are added to first order: CYLINT_ROOT_SLACK covers their
- * products, each of which is below 2^-10.  A larger error counts as infinite. */
-static bounded_pair quotient_of_numbers(bounded_pair x, bounded_pair y)
-{
-    const pair t = pair_div(x.v, y.v);
-    const double error = relative_error(x) + relative_error(y);
-    return (bounded_pair){t, error < CYLINT_FIRST_ORDER
-                                 ? CYLINT_ROOT_SLACK * fabs(t.hi) *
-                                       (error + CYLINT_PAIR_RADICAL_ROUNDING)
-                                 : HUGE_VAL};
-}
-
 static bounded_pair negative(bounded_pair x)
 {
     return (bounded_pair){pair_neg(x.v), x.error};
@@ -90,10 +78,10 @@ static bounded_pair root_by_quotient(cylint_query *q, cylint_root root)
     if (!q->pairs || root == ROOT_APEX)
         return undecided;
     if (root == ROOT_DOUBLE)
-        return quotient_of_numbers(negative(form_in_pairs(q, FORM_B, 0)),
-                                   form_in_pairs(q, FORM_A, 0));
+        return cylint_quotient(negative(form_in_pairs(q, FORM_B, 0)),
+                               form_in_pairs(q, FORM_A, 0));
     if (root != ROOT_ENTRY && !exits)
-        return quotient_of_numbers(
+        return cylint_quotient(
             negative(form_in_pairs(q, FORM_ALPHA, root == ROOT_CAP1)),
             form_in_pairs(q, FORM_BETA, 0));
     const bounded_pair sum = divisor(q, exits, &near);
@@ -101,7 +89,7 @@ static bounded_pair root_by_quotient(cylint_query *q, cylint_root root)
         return undecided;
     const bounded_pair x = form_in_pairs(q, near ? FORM_C : FORM_A, 0);
     const bounded_pair t =
-        near ? quotient_of_numbers(x, sum) : quotient_of_numbers(sum, x);
+        near ? cylint_quotient(x, sum) : cylint_quotient(sum, x);
     return near == exits ? negative(t) : t;
 }
 
