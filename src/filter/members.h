@@ -73,15 +73,6 @@ INLINE vpair at_root(vpair from, vpair by, const hit_root *r)
     return vpair_add(from, step);
 }
 
-/* x / y, where `inverse` is about 1 / y, and y.lo is below a unit of y.hi. */
-INLINE vpair pair_quotient(vpair x, vpair y, vd inverse)
-{
-    const vd q = x.hi * inverse;
-    const vpair back = v_two_prod(q, y.hi);
-    const vd remainder = ((x.hi - back.hi) - back.lo) + (x.lo - q * y.lo);
-    return v_fast_two_sum(q, remainder * inverse);
-}
-
 /* The hit in local coordinates, z from the base; rho is the radius of the lateral
  * surface there.  error: of the root, unit: of a number of size 1, both in units
  * of the bounds. */
@@ -258,7 +249,8 @@ INLINE void unit_normal(bounded_pairs n[3], const local_hit *h,
         cosine = pick(ball_lanes, one, cosine);
     }
     const vd inverse = v_set(1) / divisor.v.hi;
-    const vpair by = pair_quotient(cosine, divisor.v, inverse);
+    const vpair quotient = vpair_quotient(cosine, divisor.v, inverse);
+    const vpair by = v_fast_two_sum(quotient.hi, quotient.lo);
     const vd relative = v_sum_of(divisor.e, inverse, h->unit);
     if (tapered) { /* the sign of rho is certain where bounds are small */
         const vpair sine = pair_at(from, CYLINT_AT_SINE);
@@ -326,11 +318,8 @@ INLINE void normalise(bounded_pairs n[3], vd unit, vm lanes)
         square = vpair_add(square, vpair_mul(n[i].v, n[i].v));
         error = error + n[i].e;
     }
-    const vd y = v_set(1) / v_sqrt(square.hi);
-    const vpair ay2 = vpair_mul(square, v_two_prod(y, y));
-    const vd e = (v_set(1) - ay2.hi) - ay2.lo;
-    const vpair by = {y, y * e * v_sum_of(v_set(0.375), e, v_set(0.5))};
-    const vd relative = v_sum_of(error, y, unit);
+    const vpair by = vpair_inverse_root(square);
+    const vd relative = v_sum_of(error, by.hi, unit);
     EACH(i, 3)
         n[i] = choose_pairs(lanes, product(n[i], by, relative), n[i]);
 }
@@ -363,7 +352,7 @@ INLINE bounded_pairs height_share(const local_hit *h, const source *from)
 {
     const vpair height = pair_at(from, CYLINT_AT_HEIGHT);
     const vd inverse = v_set(1) / height.hi;
-    const vpair q = pair_quotient(h->z.v, height, inverse);
+    const vpair q = vpair_quotient(h->z.v, height, inverse);
     return (bounded_pairs){
         q, v_sum_of(h->unit, v_abs(q.hi), v_set(1.01) * h->z.e * inverse)};
 }

@@ -481,6 +481,25 @@ INLINE vpair vpair_square(vpair x)
     return (vpair){square.hi, v_sum_of(x.hi + x.hi + x.lo, x.lo, square.lo)};
 }
 
+/* a / b, where `inverse` is about 1 / b; lo can be a few units of hi. */
+INLINE vpair vpair_quotient(vpair a, vpair b, vd inverse)
+{
+    const vd q = a.hi * inverse;
+    const vpair back = v_two_prod(q, b.hi);
+    const vd remainder = (a.hi - back.hi) - back.lo;
+    return (vpair){q, (remainder + v_sum_of(-q, b.lo, a.lo)) * inverse};
+}
+
+/* 1 / sqrt(a), with the same bits in all builds: y is that of a.hi, and what follows
+ * are the next terms of y (1 - e)^(-1/2), e = 1 - a y^2. */
+INLINE vpair vpair_inverse_root(vpair a)
+{
+    const vd y = v_set(1) / v_sqrt(a.hi);
+    const vpair yy = v_two_prod(y, y), ayy = v_two_prod(a.hi, yy.hi);
+    const vd e = ((v_set(1) - ayy.hi) - ayy.lo) - (a.hi * yy.lo + a.lo * yy.hi);
+    return (vpair){y, y * (e * (v_set(0.5) + v_set(0.375) * e))};
+}
+
 /* A number and a bound on its error. */
 typedef struct {
     vpair v;

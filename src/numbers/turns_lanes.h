@@ -36,16 +36,6 @@ INLINE vd turn_node(vd r, vpair *cosine, vpair *sine)
     return node;
 }
 
-/* a / b, lo not trimmed; *inverse is 1 / b. */
-INLINE vpair turn_quotient(vpair a, vpair b, vd *inverse)
-{
-    *inverse = v_set(1) / b.hi;
-    const vd q = a.hi * *inverse;
-    const vpair back = v_two_prod(q, b.hi);
-    const vd remainder = (a.hi - back.hi) - back.lo;
-    return (vpair){q, (remainder + v_sum_of(-q, b.lo, a.lo)) * *inverse};
-}
-
 /* atan(q) in turns, lo not trimmed; z = q^2. */
 INLINE vpair turn_of_tangent(vpair q, vd z)
 {
@@ -94,8 +84,8 @@ INLINE vpair turns_of(vpair x, vpair y, vd ex, vd ey, vd *error)
     const vpair den = {sum.hi, sum.lo + (uc.lo + vs.lo)};
     const vpair num =
         vpair_sub(vpair_product(v, cosine), vpair_product(u, sine));
-    vd inverse;
-    const vpair q = turn_quotient(num, den, &inverse);
+    const vd inverse = v_set(1) / den.hi;
+    const vpair q = vpair_quotient(num, den, inverse);
     const vd z = q.hi * q.hi;
     const vpair a = turn_of_tangent(q, z);
 

@@ -124,16 +124,6 @@ INLINE four products(const four *x, const four *y)
     return xy;
 }
 
-/* 1 / sqrt(a) of each: y is that of a.hi, and what follows are the next terms
- * of y (1 - e)^(-1/2), e = 1 - a y^2. */
-INLINE vpair inverse_root_of_each(vpair a)
-{
-    const vd y = v_set(1) / v_sqrt(a.hi);
-    const vpair yy = v_two_prod(y, y), ayy = v_two_prod(a.hi, yy.hi);
-    const vd e = ((v_set(1) - ayy.hi) - ayy.lo) - (a.hi * yy.lo + a.lo * yy.hi);
-    return (vpair){y, y * (e * (v_set(0.5) + v_set(0.375) * e))};
-}
-
 /* ------------------------------------------------ one number of each shape -- */
 
 /* one_sum() does not normalise its result.  inverse_roots(): 1 / sqrt(a) of three
@@ -164,7 +154,7 @@ INLINE four all_four(one x)
 INLINE void inverse_roots(one root[3], const one a[3])
 {
     EACH(k, 3)
-        root[k] = inverse_root_of_each(a[k]);
+        root[k] = vpair_inverse_root(a[k]);
 }
 
 /* A coordinate in each lane. */
@@ -241,7 +231,7 @@ INLINE void inverse_roots(one root[3], const one a[3])
     four r;
     EACH(k, PARTS)
         r.part[k] =
-            inverse_root_of_each((vpair){high.part[k].hi, low.part[k].hi});
+            vpair_inverse_root((vpair){high.part[k].hi, low.part[k].hi});
     store_four(hi, lo, &r);
     EACH(k, 3)
         root[k] = (pair){hi[k], lo[k]};

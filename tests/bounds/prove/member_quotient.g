@@ -1,7 +1,8 @@
-# quotient() (src/filter/members.h) in units of x.hi / y.hi: q is the quotient of
-# doubles, r = 1 - q the rest of x.hi, x and y are the low parts; d1 is the rounding of
-# the inverse.  Where |x.lo| is larger than a unit of x.hi, x has cancelled: its bound
-# covers what is relative to x.lo.
+# vpair_quotient() (src/numbers/simd.h) of the members of a hit, in units of
+# x.hi / y.hi: q is the quotient of doubles, r = 1 - q the rest of x.hi, x and y are the
+# low parts; d1 is the rounding of the inverse.  Where |x.lo| is larger than a unit of
+# x.hi, x has cancelled: its bound covers what is relative to x.lo.  Fused, there are
+# fewer roundings.
 # modes: ne
 # bound: CYLINT_MEMBER_QUOTIENT
 # each: CYLINT_NEAREST_ROUNDING

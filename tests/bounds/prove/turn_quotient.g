@@ -1,4 +1,5 @@
-# turn_quotient() (src/numbers/turns_lanes.h): what is relative to q of its error.
+# vpair_quotient() (src/numbers/simd.h) of turns_of(): what is relative to q of its
+# error.
 # In units of q b.hi: r = a.hi - q b.hi, two roundings of a.hi; x = a.lo, where it is
 # relative to a.hi, as it is of node 0 (turn_node.g has the others); y = b.lo, which
 # is at most 1.25 * 2^-50 of two products (turn_product.g) and a rounding of their sum;
