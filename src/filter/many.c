@@ -272,12 +272,6 @@ INLINE vm may_be_nearest(const estimate *first, const verdict *v,
     return m_not(m_and(sure, v_lt(first->off, beyond)));
 }
 
-/* The hits of lanes that cross. */
-typedef struct {
-    line_end at[2];
-    vm hit[2], undecided;
-} lane_hits;
-
 /* The lanes in which all wanted members of the hits with these roots are
  * certain. */
 ASIDE unsigned describe_lanes(const source *from, const pair_line *in,
@@ -314,25 +308,37 @@ ASIDE void any_lines_in_pairs(pair_line *to, group_questions *x, unsigned want,
     lines_in_pairs(to, x, want, solid);
 }
 
-/* By roots.  Removes lanes whose hits are not wanted from *crosses. */
-INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
-                       verdict *v, vm *crosses, unsigned want, int solid,
-                       cylint_filter_group *g)
+/* Writes the hits k, on these ends, but for t. */
+INLINE void store_hits(cylint_filter_group *g, int k, const line_end *end,
+                       vm hit)
+{
+    const vd cap =
+        v_select(end->top, v_set(CYLINT_PART_CAP1), v_set(CYLINT_PART_CAP0));
+    v_store(g->part[k], v_select(end->on_end, cap, v_set(CYLINT_PART_LATERAL)));
+    g->hit[k] = m_bits(hit);
+}
+
+/* The hits of lanes that cross, by roots.  Returns the lanes with an undecided hit;
+ * removes those whose hits are not wanted from *crosses. */
+INLINE vm find_roots(group_questions *x, const local_line *l, verdict *v,
+                     vm *crosses, unsigned want, int solid,
+                     cylint_filter_group *g)
 {
     const source from = {&x->frame, &x->line};
     const int nearest = (want & CYLINT_WANT_NEAREST) != 0;
     pair_line in;
+    vm undecided = m_from(0);
     if (cylint_solid_is_round(solid) && solid != CYLINT_SOLID_SPHERE)
         compute_balls(&v->ball, l);
     for (int k = 0; k < 2; k++) {
-        const line_end end_k = k ? to->at[1] : to->at[0];
+        const line_end end_k = end_number(l, v, k, solid);
         const estimate at = estimate_end(l, v, &end_k, solid);
         if (k == 0) {
             if (nearest)
                 *crosses = m_and(
                     *crosses, may_be_nearest(&at, v, x->from->nearest, solid));
             if (!m_any(*crosses))
-                return;
+                return undecided;
             if (solid == CYLINT_SOLID_SPHERE)
                 lines_in_pairs(&in, x, want, solid);
             else
@@ -343,8 +349,8 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
         const vm present = is_present(l, v, &end_k, k, solid);
         const vm unbounded = m_and_not(present, at.is_near);
         const hits h = hits_of_roots(&r, l, m_and(present, at.is_near));
-        to->hit[k] = h.hit;
-        to->undecided = m_or(to->undecided, m_or(h.undecided, unbounded));
+        store_hits(g, k, &end_k, h.hit);
+        undecided = m_or(undecided, m_or(h.undecided, unbounded));
         v_store(g->t[k], r.value);
         if (want & CYLINT_WANT_BESIDE_T && m_any(h.hit)) {
             const hit_root hit = {r.value, r.tail, r.error, end_k.on_end,
@@ -352,54 +358,30 @@ INLINE void find_roots(lane_hits *to, group_questions *x, const local_line *l,
             const pair_line copy = in;
             const unsigned certain =
                 describe_lanes(&from, &copy, &hit, want, solid, &g->member[k]);
-            to->undecided =
-                m_or(to->undecided, m_and_not(h.hit, m_from(certain)));
+            undecided = m_or(undecided, m_and_not(h.hit, m_from(certain)));
         }
         if (nearest && !m_any(m_and_not(*crosses, h.hit)))
-            return;
+            break;
     }
+    return undecided;
 }
 
-/* By signs at the ends of the domain. */
-INLINE void find_places(lane_hits *to, const local_line *l, const verdict *v,
-                        int solid)
+/* The same by signs at the ends of the domain. */
+INLINE vm find_places(const local_line *l, const verdict *v, int solid,
+                      cylint_filter_group *g)
 {
+    vm undecided = m_from(0);
     place at[2];
     for (int i = 0; i < 2; i++)
         at[i] = place_at(l, v, l->limit[i], solid);
     EACH(k, 2) {
-        const vm present = is_present(l, v, &to->at[k], k, solid);
+        const line_end end = end_number(l, v, k, solid);
+        const vm present = is_present(l, v, &end, k, solid);
         const hits h = hits_of_places(&at[0], &at[1], present, k);
-        to->hit[k] = h.hit;
-        to->undecided = m_or(to->undecided, h.undecided);
+        store_hits(g, k, &end, h.hit);
+        undecided = m_or(undecided, h.undecided);
     }
-}
-
-INLINE void store_hits(cylint_filter_group *g, const lane_hits *from)
-{
-    EACH(k, 2) {
-        const vd cap = v_select(from->at[k].top, v_set(CYLINT_PART_CAP1),
-                                v_set(CYLINT_PART_CAP0));
-        v_store(g->part[k],
-                v_select(from->at[k].on_end, cap, v_set(CYLINT_PART_LATERAL)));
-        g->hit[k] = m_bits(from->hit[k]);
-    }
-}
-
-/* Returns the lanes with an undecided hit. */
-INLINE vm answer_ends(group_questions *x, const local_line *l, verdict *v,
-                      vm *crosses, unsigned want, int solid,
-                      cylint_filter_group *g)
-{
-    lane_hits h = {.hit = {m_from(0), m_from(0)}, .undecided = m_from(0)};
-    EACH(k, 2)
-        h.at[k] = end_number(l, v, k, solid);
-    if (want & CYLINT_WANT_T)
-        find_roots(&h, x, l, v, crosses, want, solid, g);
-    else
-        find_places(&h, l, v, solid);
-    store_hits(g, &h);
-    return h.undecided;
+    return undecided;
 }
 
 /* Whether the axis from base to top runs along coordinate i, and a line from o with
@@ -476,7 +458,10 @@ INLINE void answer_lanes(group_questions *x, int solid, cylint_filter_group *g)
     if (m_any(crosses)) {
         const vm equal = /* may be zeros that differ */
             v_eq(x->line.limit[0], x->line.limit[1]);
-        const vm doubtful = answer_ends(x, &l, &v, &crosses, want, solid, g);
+        const vm doubtful =
+            want & CYLINT_WANT_T
+                ? find_roots(x, &l, &v, &crosses, want, solid, g)
+                : find_places(&l, &v, solid, g);
         undecided = m_or(undecided, m_and(crosses, m_or(equal, doubtful)));
         crosses = m_and_not(crosses, undecided);
     }
