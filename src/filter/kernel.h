@@ -38,10 +38,6 @@ typedef struct {
     vm positive, negative;
 } signs;
 
-typedef struct {
-    vm positive[ENDS], negative[ENDS];
-} end_signs;
-
 INLINE signs signs_of(vd x, vd error)
 {
     return (signs){v_lt(error, x), v_lt(x, -error)};
@@ -185,27 +181,13 @@ INLINE void compute_balls(balls *b, const local_line *l)
     set_balls(b, l, ball_A_doubles(in), B, g);
 }
 
-/* Signs of E and of N inward, of both caps, and of G. */
-typedef struct {
-    end_signs E, inward;
-    signs G;
-} cap_signs;
-
-INLINE void set_end_signs(end_signs *to, const vd x[ENDS], vd error)
-{
-    EACH(k, ENDS) {
-        const signs s = signs_of(x[k], error);
-        to->positive[k] = s.positive;
-        to->negative[k] = s.negative;
-    }
-}
-
-/* A line that misses the cone of a round solid can cross a ball beyond it. */
-INLINE void judge_balls(verdict *v, const local_line *l, const cap_signs *c)
+/* A line that misses the cone of a round solid can cross a ball beyond it.  rises: see
+ * judge_bounded(). */
+INLINE void judge_balls(verdict *v, const local_line *l, const vm rises[ENDS])
 {
     vm there[ENDS], outside[ENDS];
     EACH(k, ENDS) {
-        there[k] = m_and(v->misses, c->inward.negative[k]);
+        there[k] = m_and(v->misses, rises[k]);
         v->chord[k] = m_from(0);
     }
     if (!m_any(either_end(there))) {
@@ -237,36 +219,33 @@ INLINE vm stays_outside(const local_line *l, vd E, vd inward)
     return v_lt(v_set(2) * l->Q * inward, -E);
 }
 
+/* By the signs of E, of N inward and of G (roots/overlap.c).  Certain of plane k:
+ * outside: the line crosses it outside the disc; falls, rises: from there towards the
+ * other plane the quadric falls, or is not below its value at the plane. */
 INLINE void judge_bounded(verdict *v, const forms *f, const local_line *l,
                           int solid)
 {
     /* of round solids the larger radius is that of a circle, or more */
     const vd eE = disc_error(l, CYLINT_LOCAL_FORM, l->widest);
     const vd eN = cubic_error(l);
-    cap_signs c;
-    vd inward[ENDS];
-    vm sided[ENDS];
-    EACH(k, ENDS)
-        inward[k] = f->N[k] * ends_of(v_set(-1), v_set(1), k);
-    set_end_signs(&c.E, f->E, eE);
-    set_end_signs(&c.inward, inward, eN);
-    c.G = signs_of(v->G.v, v->G.e);
+    const signs G = signs_of(v->G.v, v->G.e);
+    vm outside[ENDS], falls[ENDS], rises[ENDS], sided[ENDS];
     EACH(k, ENDS) {
-        c.inward.negative[k] =
-            m_or(c.inward.negative[k],
-                 stays_outside(l, f->E[k] + eE, inward[k] + eN));
-        v->pierced[k] = c.E.positive[k];
-        sided[k] = m_or(c.E.positive[k], c.E.negative[k]);
+        const vd inward = f->N[k] * ends_of(v_set(-1), v_set(1), k);
+        const signs E = signs_of(f->E[k], eE), N = signs_of(inward, eN);
+        v->pierced[k] = E.positive;
+        outside[k] = E.negative;
+        sided[k] = m_or(E.positive, E.negative);
+        falls[k] = N.positive;
+        rises[k] =
+            m_or(N.negative, stays_outside(l, f->E[k] + eE, inward + eN));
     }
     v->sided = both_ends(sided);
-    /* roots/overlap.c */
-    v->misses =
-        m_or(m_and(both_ends(c.E.negative), either_end(c.inward.negative)),
-             c.G.negative);
-    v->crosses = m_or(either_end(c.E.positive),
-                      m_and(both_ends(c.inward.positive), c.G.positive));
+    v->misses = m_or(m_and(both_ends(outside), either_end(rises)), G.negative);
+    v->crosses =
+        m_or(either_end(v->pierced), m_and(both_ends(falls), G.positive));
     if (cylint_solid_is_round(solid))
-        judge_balls(v, l, &c);
+        judge_balls(v, l, rises);
 }
 
 /*
