@@ -181,8 +181,8 @@ INLINE void compute_balls(balls *b, const local_line *l)
     set_balls(b, l, ball_A_doubles(in), B, g);
 }
 
-/* A line that misses the cone of a round solid can cross a ball beyond it.  rises: see
- * judge_bounded(). */
+/* A line that misses the cone of a round solid can cross a ball beyond it.  rises:
+ * see judge_bounded(). */
 INLINE void judge_balls(verdict *v, const local_line *l, const vm rises[ENDS])
 {
     vm there[ENDS], outside[ENDS];
@@ -220,8 +220,8 @@ INLINE vm stays_outside(const local_line *l, vd E, vd inward)
 }
 
 /* By the signs of E, of N inward and of G (roots/overlap.c).  Certain of plane k:
- * outside: the line crosses it outside the disc; falls, rises: from there towards the
- * other plane the quadric falls, or is not below its value at the plane. */
+ * outside: the line crosses it outside the disc; falls: from there the quadric falls
+ * towards the other plane; rises: it rises, or stays positive. */
 INLINE void judge_bounded(verdict *v, const forms *f, const local_line *l,
                           int solid)
 {

@@ -1,6 +1,6 @@
 /*
- * bits.h - exponent, sign and order of doubles from their bits, exact scaling
- * and differences; what is certain of a bounded pair
+ * bits.h - exponent, sign and order of doubles from their bits, scaling by powers of
+ * two, exact differences; quotients of bounded pairs, and what is certain of them
  *
  * All are right in every floating-point environment, except cylint_largest(),
  * cylint_dot() and those of bounded pairs.
@@ -188,9 +188,9 @@ static inline int cylint_is_exact_zero(bounded_pair x)
     return x.v.hi == 0 && x.error == 0;
 }
 
-/* x / y.  Its error is that of x over y, the relative errors of y and of the division,
- * and their products, each below CYLINT_FIRST_ORDER of one of these
- * (CYLINT_ROOT_SLACK).  Infinite where the error of y is not so small. */
+/* x / y.  Its error: that of x over y, those of y and of the division, relative to
+ * the quotient, and terms of second order (CYLINT_ROOT_SLACK).  Infinite where that of
+ * y is not below CYLINT_FIRST_ORDER of it. */
 static inline bounded_pair cylint_quotient(bounded_pair x, bounded_pair y)
 {
     const pair q = pair_div(x.v, y.v);

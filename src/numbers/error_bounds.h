@@ -117,9 +117,9 @@
 #define CYLINT_CYLINDER_G_SIZE 48
 
 /*
- * First-order errors of quotients and square roots (root.c) are added up where each
- * divisor and radicand has a relative error of at most CYLINT_FIRST_ORDER.  The
- * terms of second order are below 0.2 % of the sum, and its own roundings below
+ * First-order errors of quotients (bits.h) and square roots (root.c) are added up
+ * where each divisor and radicand has a relative error of at most CYLINT_FIRST_ORDER.
+ * The terms of second order are below 0.2 % of the sum, and its own roundings below
  * 2^-45: CYLINT_ROOT_SLACK covers both.
  */
 #define CYLINT_FIRST_ORDER 0x1p-10

@@ -1,5 +1,5 @@
 /*
- * scale.c - exact scaling by powers of two, and exact differences
+ * scale.c - scaling by powers of two, and exact differences
  */
 #include "bits.h"
 #include "exact.h"

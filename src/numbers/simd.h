@@ -490,8 +490,8 @@ INLINE vpair vpair_quotient(vpair a, vpair b, vd inverse)
     return (vpair){q, (remainder + v_sum_of(-q, b.lo, a.lo)) * inverse};
 }
 
-/* 1 / sqrt(a), with the same bits in all builds: y is that of a.hi, and what follows
- * are the next terms of y (1 - e)^(-1/2), e = 1 - a y^2. */
+/* 1 / sqrt(a), the same bits in all builds: y is that of a.hi, and what follows are
+ * the next terms of y (1 - e)^(-1/2), e = 1 - a y^2. */
 INLINE vpair vpair_inverse_root(vpair a)
 {
     const vd y = v_set(1) / v_sqrt(a.hi);
