@@ -82,7 +82,7 @@ void cylint_swept_disc_reach(const cylint_swept_disc *t, double reach[3])
     const double per_length = 1 / t->length;
     for (int j = 0; j < 3; j++)
         reach[j] =
-            t->elliptic ? cylint_elliptic_reach(t->a, t->b, j)
+            t->elliptic ? sqrt(t->a[j] * t->a[j] + t->b[j] * t->b[j])
             : ww > CYLINT_LEAST_SQUARE
                 ? sqrt(square[(j + 1) % 3] + square[(j + 2) % 3]) * per_length
                 : 1;

@@ -295,13 +295,6 @@ CYLINT_INLINE double cylint_radius_unit(const cylint_shape *s, double length)
     return cylint_has_tangent(s->kind) ? length : 1;
 }
 
-/* The ellipse x a + y b, x^2 + y^2 <= 1, reaches so far along coordinate j. */
-CYLINT_INLINE double cylint_elliptic_reach(const double a[3], const double b[3],
-                                           int j)
-{
-    return sqrt(a[j] * a[j] + b[j] * b[j]);
-}
-
 /* An upper bound of how far the section at an end reaches from the axis along
  * coordinate j, but for roundings. */
 CYLINT_INLINE double cylint_rough_reach(const cylint_shape *s, int end, int j)
