@@ -220,8 +220,8 @@ INLINE vm stays_outside(const local_line *l, vd E, vd inward)
 }
 
 /* By the signs of E, of N inward and of G (roots/overlap.c).  Certain of plane k:
- * outside: the line crosses it outside the disc; falls: from there the quadric falls
- * towards the other plane; rises: it rises, or stays positive. */
+ * outside: the line crosses it outside the disc; falls: from there the quadric
+ * falls towards the other plane; rises: it rises, or stays positive. */
 INLINE void judge_bounded(verdict *v, const forms *f, const local_line *l,
                           int solid)
 {

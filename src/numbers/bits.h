@@ -1,6 +1,6 @@
 /*
- * bits.h - exponent, sign and order of doubles from their bits, scaling by powers of
- * two, exact differences; quotients of bounded pairs, and what is certain of them
+ * bits.h - exponent, sign and order of doubles from their bits, scaling by powers
+ * of two, exact differences; quotients of bounded pairs, what is certain of them
  *
  * All are right in every floating-point environment, except cylint_largest(),
  * cylint_dot() and those of bounded pairs.
@@ -189,8 +189,8 @@ static inline int cylint_is_exact_zero(bounded_pair x)
 }
 
 /* x / y.  Its error: that of x over y, those of y and of the division, relative to
- * the quotient, and terms of second order (CYLINT_ROOT_SLACK).  Infinite where that of
- * y is not below CYLINT_FIRST_ORDER of it. */
+ * the quotient, and terms of second order (CYLINT_ROOT_SLACK).  Infinite where that
+ * of y is not below CYLINT_FIRST_ORDER of it. */
 static inline bounded_pair cylint_quotient(bounded_pair x, bounded_pair y)
 {
     const pair q = pair_div(x.v, y.v);

@@ -118,9 +118,9 @@
 
 /*
  * First-order errors of quotients (bits.h) and square roots (root.c) are added up
- * where each divisor and radicand has a relative error of at most CYLINT_FIRST_ORDER.
- * The terms of second order are below 0.2 % of the sum, and its own roundings below
- * 2^-45: CYLINT_ROOT_SLACK covers both.
+ * where each divisor and radicand has a relative error of at most
+ * CYLINT_FIRST_ORDER.  The terms of second order are below 0.2 % of the sum, and
+ * its own roundings below 2^-45: CYLINT_ROOT_SLACK covers both.
  */
 #define CYLINT_FIRST_ORDER 0x1p-10
 #define CYLINT_ROOT_SLACK 1.01
