@@ -267,7 +267,7 @@ static inline int is_fit(float E)
     return (E > 1 / E_LIMIT) & (E < E_LIMIT);
 }
 
-/* --------------------------------------------- lines in doubles, far rays -- */
+/* ----------------------------------------------------------------- lines -- */
 
 /* The largest error of q for which the test is of use. */
 #define Q_ERROR_LIMIT 64.0
@@ -284,13 +284,13 @@ static inline float clamped(double s)
  * and makes e a unit vector.  o - c, the unit vector, the distance along it and
  * the sums are rounded: this moves the line, and a t along it, by less than 11
  * roundings of |o - c|; q_error allows 16.  If q is still far, the line misses:
- * a sum of sizes of components is at most sqrt(3) times the length.  d is that of a
- * float ray, or its largest component is 1, so squares do not over- or underflow.
+ * a sum of sizes of components is at most sqrt(3) times the length.  d is such
+ * (traverse.h) that squares do not over- or underflow.
  */
-ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
-                             const double d[3], double tmin, double tmax,
+ASIDE unsigned test_far_line(const cylint_leaf *b, const cylint_bvh_line *line,
                              float *least)
 {
+    const double *const o = line->o, *const d = line->d;
     const double steps = cylint_leaf_steps(b), length = sqrt(cylint_dot(d, d));
     const double per_length = 1 / length;
     double from[3], along = 0, far = 0, apart = 0;
@@ -319,8 +319,8 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
         return 0;
     l.k = f_set(cylint_float_above((apart + (double)CYLINDER_REACH) * 0x1p-19 +
                                    q_error));
-    l.first = f_set(clamped((tmin * length + along) * steps - q_error));
-    l.last = f_set(clamped((tmax * length + along) * steps + q_error));
+    l.first = f_set(clamped((line->tmin * length + along) * steps - q_error));
+    l.last = f_set(clamped((line->tmax * length + along) * steps + q_error));
     const unsigned hit = test_cylinders(b, NULL, &l, least, NULL);
     EACH_BIT(lane, least ? hit : 0)
         least[lane] = cylint_float_below(
@@ -328,81 +328,46 @@ ASIDE unsigned test_far_line(const cylint_leaf *b, const double o[3],
     return hit;
 }
 
-/* For the domain from 0 to tmax; least may be NULL.  Near the leaf floats are
- * accurate enough without that: q, e and tmax are rounded once, which the errors
+/* The direction of a line in floats.  E: the sum of the sizes of its components. */
+typedef struct {
+    float d[3], E;
+} float_direction;
+
+static inline float_direction direction_of(const cylint_bvh_line *line)
+{
+    float_direction to = {.E = 0};
+    EACH(j, 3) {
+        to.d[j] = (float)line->d[j];
+        to.E += fabsf(to.d[j]);
+    }
+    return to;
+}
+
+/* all: the leaf's cylinders, or NULL.  along: the direction of the line.  least may
+ * be NULL.  certain: NULL, or 0 before and then as in test_lanes().  Near the leaf
+ * floats are accurate enough: q, e, tmin and tmax are rounded once, which the errors
  * above contain. */
-CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const double o[3],
-                                 const double d[3], double tmax, float *least)
+CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const cylinders *all,
+                                 const cylint_bvh_line *line,
+                                 const float_direction *along, float *least,
+                                 unsigned *certain)
 {
     const double steps = cylint_leaf_steps(b);
-    float E = 0, far = 0;
+    float far = 0;
     leaf_line l;
     EACH(j, 3) {
-        const float q = (float)((o[j] - (double)b->center[j]) * steps);
-        const float e = (float)d[j];
+        const float q = (float)((line->o[j] - (double)b->center[j]) * steps);
         l.q[j] = f_set(q);
-        l.e[j] = f_set(e);
+        l.e[j] = f_set(along->d[j]);
         far += fabsf(q);
-        E += fabsf(e);
     }
-    if (!(is_fit(E) & (far < FAR_LIMIT)))
-        return test_far_line(b, o, d, 0, tmax, least);
-    l.E = f_set(E);
+    if (!(is_fit(along->E) & (far < FAR_LIMIT)))
+        return test_far_line(b, line, least);
+    l.E = f_set(along->E);
     l.k = f_set((far + CYLINDER_REACH) * 0x1p-19f);
-    l.first = f_set(0);
-    l.last = f_set((float)(tmax * steps));
+    l.first = f_set((float)(line->tmin * steps));
+    l.last = f_set((float)(line->tmax * steps));
     l.t_per_s = f_set((float)(1 / steps));
-    return test_cylinders(b, NULL, &l, least, NULL);
-}
-
-/* ------------------------------------------------------------------ rays -- */
-
-ASIDE unsigned test_far_ray(const cylint_leaf *b, const cylint_float_ray *ray,
-                            float least[CYLINT_LEAF_SIZE])
-{
-    const double o[3] = {ray->o[0], ray->o[1], ray->o[2]};
-    const double d[3] = {ray->d[0], ray->d[1], ray->d[2]};
-    return test_far_line(b, o, d, ray->tnear, ray->tfar, least);
-}
-
-static inline float size_of(const cylint_float_ray *ray)
-{
-    return fabsf(ray->d[0]) + fabsf(ray->d[1]) + fabsf(ray->d[2]);
-}
-
-/* Sets e = d, q = (o - c) steps, so that s = t steps.  Returns the distance of q
- * from the centre.  The result is accurate enough if the ray is_fit() and that
- * distance is less than FAR_LIMIT.  E: the ray's size_of(). */
-CYLINT_INLINE float to_leaf_line(const cylint_leaf *b,
-                                 const cylint_float_ray *ray, float E,
-                                 leaf_line *l)
-{
-    const float per_unit = cylint_leaf_steps(b);
-    const vf steps = f_set(per_unit);
-    EACH(j, 3) {
-        l->q[j] = (f_set(ray->o[j]) - f_set(b->center[j])) * steps;
-        l->e[j] = f_set(ray->d[j]);
-    }
-    const vf far = f_abs(l->q[0]) + f_abs(l->q[1]) + f_abs(l->q[2]);
-    l->E = f_set(E);
-    l->k = (far + f_set(CYLINDER_REACH)) * f_set(0x1p-19f);
-    l->first = f_set(ray->tnear) * steps;
-    l->last = f_set(ray->tfar) * steps;
-    l->t_per_s = f_set(1 / per_unit);
-    return f_first(far);
-}
-
-/* all: the leaf's cylinders, or NULL.  certain: NULL, or 0 before and then as in
- * test_lanes(). */
-CYLINT_INLINE unsigned test_ray(const cylint_leaf *b, const cylinders *all,
-                                const cylint_float_ray *ray, float E,
-                                float least[CYLINT_LEAF_SIZE],
-                                unsigned *certain)
-{
-    leaf_line l;
-    const float far = to_leaf_line(b, ray, E, &l);
-    if (!(is_fit(E) & (far < FAR_LIMIT)))
-        return test_far_ray(b, ray, least);
     return test_cylinders(b, all, &l, least, certain);
 }
 

@@ -37,11 +37,11 @@ typedef struct {
  *   twice, by 3 u S; x r is rounded twice, F r once if it is not fused, and
  *   their difference once,
  *
- * in all less than 10 u (|x| + S) |r|.  start() allows 16 u.  A component of d
+ * in all less than 10 u (|x| + S) |r|.  set_box_test() allows 16 u.  A component of d
  * below 2^-60 of the largest is replaced by that; on a length of 2^10 S this
  * moves the line by less than another 2^-21 S, which the 16 u cover.  A number
  * flushed to zero is less than FLT_MIN.  The allowance is at least 2^-19 of x r
- * and F r: where it is 2^100 or more these may overflow, and start() makes it
+ * and F r: where it is 2^100 or more these may overflow, and set_box_test() makes it
  * infinite.  Then each box is between its faces; f_higher() and f_lower() ignore
  * a NaN.
  */
@@ -112,15 +112,10 @@ static inline float larger_float(float x, float y) /* fmaxf() is a call */
     return x > y ? x : y;
 }
 
-static inline void set_last(ray_state *s, float last)
-{
-    s->last = last;
-    s->last_key = order_key(last);
-}
-
 /* x may have an error of x_error. */
-static inline void start(ray_state *s, const cylint_bvh *bvh, const float x[3],
-                         const float d[3], float x_error)
+static inline void set_box_test(ray_state *s, const cylint_bvh *bvh,
+                                const float x[3], const float d[3],
+                                float x_error)
 {
     const float xy = larger_float(fabsf(d[0]), fabsf(d[1]));
     const float least = larger_float(xy, fabsf(d[2])) * 0x1p-60f;
@@ -137,28 +132,6 @@ static inline void start(ray_state *s, const cylint_bvh *bvh, const float x[3],
     }
 }
 
-/* From doubles.  x may have an error of x_error. */
-static inline void start_doubles(ray_state *s, const cylint_bvh *bvh,
-                                 const double x[3], const double d[3],
-                                 float x_error)
-{
-    const float X[3] = {(float)x[0], (float)x[1], (float)x[2]};
-    const float D[3] = {(float)d[0], (float)d[1], (float)d[2]};
-    start(s, bvh, X, D, x_error);
-}
-
-/* Of a line in doubles that begins within bvh->near_distance. */
-static inline void start_line(ray_state *s, const cylint_bvh *bvh,
-                              const double o[3], const double d[3], double tmax)
-{
-    double x[3];
-    EACH(j, 3)
-        x[j] = o[j] - (double)bvh->center[j];
-    start_doubles(s, bvh, x, d, 0);
-    s->first = 0;
-    set_last(s, cylint_float_above(tmax));
-}
-
 /* The key of -0 is not that of 0; nor is that of a subnormal number, which may be
  * read as 0. */
 static inline float with_one_zero(float t)
@@ -166,52 +139,51 @@ static inline float with_one_zero(float t)
     return t == 0 ? 0 : t;
 }
 
-/* Reduces the domain after tfar was reduced. */
-static inline void shorten(ray_state *s, float tfar)
+/* Reduces the domain after tmax was reduced. */
+static inline void shorten(ray_state *s, double tmax)
 {
-    set_last(s, s->t0_error > 0
-                    ? cylint_float_above((double)tfar - s->t0 + s->t0_error)
-                    : with_one_zero(tfar));
+    s->last = with_one_zero(cylint_float_above(tmax - s->t0 + s->t0_error));
+    s->last_key = order_key(s->last);
 }
 
-/* Of a ray.  One from far away begins at its point nearest to the centre, because
- * floats are coarse there.  That point's terms and their sum are rounded. */
-static inline void start_ray(ray_state *s, const cylint_bvh *bvh,
-                             const cylint_float_ray *ray)
+/* A line from far away begins at its point nearest to the centre, because floats are
+ * coarse there.  That point's terms and their sum are rounded. */
+static inline void start_line(ray_state *s, const cylint_bvh *bvh,
+                              const cylint_bvh_line *line)
 {
-    float x[3];
-    double o[3], d[3], far = 0;
+    double o[3], far = 0, o_error = 0;
+    float x[3], d[3];
     s->t0 = s->t0_error = 0;
-    s->first = with_one_zero(ray->tnear);
-    EACH(j, 3)
-        x[j] = ray->o[j] - bvh->center[j];
-    if (fabsf(x[0]) + fabsf(x[1]) + fabsf(x[2]) < bvh->near_distance) {
-        start(s, bvh, x, ray->d, 0);
-    } else {
-        EACH(j, 3) {
-            o[j] = (double)ray->o[j] - (double)bvh->center[j];
-            d[j] = ray->d[j];
-            far += fabs(o[j]);
-        }
-        s->t0 = -cylint_dot(o, d) / cylint_dot(d, d);
-        s->t0_error = 0x1p-51 * fabs(s->t0);
-        EACH(j, 3)
-            o[j] += s->t0 * d[j];
-        start_doubles(s, bvh, o, d, cylint_float_above(0x1p-49 * far));
-        s->first = cylint_float_below(ray->tnear - s->t0 - s->t0_error);
+    EACH(j, 3) {
+        o[j] = line->o[j] - (double)bvh->center[j];
+        far += fabs(o[j]);
     }
-    shorten(s, ray->tfar);
+    if (!(far < (double)bvh->near_distance)) {
+        s->t0 = -cylint_dot(o, line->d) / cylint_dot(line->d, line->d);
+        s->t0_error = 0x1p-51 * fabs(s->t0);
+        o_error = 0x1p-49 * far;
+        EACH(j, 3)
+            o[j] += s->t0 * line->d[j];
+    }
+    EACH(j, 3) {
+        x[j] = (float)o[j];
+        d[j] = (float)line->d[j];
+    }
+    set_box_test(s, bvh, x, d, cylint_float_above(o_error));
+    s->first =
+        with_one_zero(cylint_float_below(line->tmin - s->t0 - s->t0_error));
+    shorten(s, line->tmax);
 }
 
 /* Whether the domain ends outside the box of all; S is its longest side. */
 static inline int ends_outside(const cylint_bvh *bvh,
-                               const cylint_float_ray *ray)
+                               const cylint_bvh_line *line)
 {
     const double S = (double)bvh->near_distance / 256;
     int out = 0;
     EACH(j, 3)
-        out |= fabs((double)ray->o[j] - (double)bvh->center[j] +
-                    (double)ray->tfar * (double)ray->d[j]) > S;
+        out |= fabs(line->o[j] - (double)bvh->center[j] +
+                    line->tmax * line->d[j]) > S;
     return out;
 }
 

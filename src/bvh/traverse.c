@@ -1,5 +1,5 @@
 /*
- * traverse.c - traverses the hierarchy with one ray or line
+ * traverse.c - traverses the hierarchy with one line
  */
 #include "traverse.h"
 
@@ -38,72 +38,45 @@ CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
 
 #include "traverse_template.h"
 
-static inline void push_start(traversal *t, const cylint_bvh *bvh,
-                              const ray_state *ray)
-{
-    t->bvh = bvh;
-    t->ray = ray;
-    t->stack[0] = (entry){keyed_child(order_key(ray->first), 0)};
-    t->n = 1;
-}
-
 /* certain: returns 1 at a certain hit.  If the line ends outside the box of all and
  * has a point inside a shape, it hits the shape behind that point. */
 CYLINT_INLINE int traverse_as(const cylint_bvh *bvh,
-                              const cylint_float_ray *ray,
+                              const cylint_bvh_line *line,
                               cylint_leaf_callback *callback, void *self,
                               int certain)
 {
-    const float E = size_of(ray);
+    const float_direction along = direction_of(line);
     const cylint_leaf *leaf;
     float least[CYLINT_LEAF_SIZE];
     ray_state state;
     traversal t;
-    start_ray(&state, bvh, ray);
-    push_start(&t, bvh, &state);
+    start_line(&state, bvh, line);
+    t.bvh = bvh;
+    t.ray = &state;
+    t.stack[0] = (entry){keyed_child(order_key(state.first), 0)};
+    t.n = 1;
     leaf_ahead ahead = {NULL, {0}};
     while ((leaf = take_leaf(&t, &ahead))) {
         unsigned certain_lanes = 0;
-        const unsigned lanes = test_ray(leaf, NULL, ray, E, least,
-                                        certain ? &certain_lanes : NULL);
+        const unsigned lanes = test_line(leaf, NULL, line, &along, least,
+                                         certain ? &certain_lanes : NULL);
         if (!lanes)
             continue;
         if (certain_lanes && leaf->used & CYLINT_LEAF_SOLID)
             return 1;
         if (callback(self, leaf, lanes, least))
             return 0;
-        shorten(&state, ray->tfar);
+        shorten(&state, line->tmax);
     }
     return 0;
 }
 
-static int traverse_ray(const cylint_bvh *bvh, const cylint_float_ray *ray,
-                        cylint_leaf_callback *callback, void *self, int any)
+static int traverse_line(const cylint_bvh *bvh, const cylint_bvh_line *line,
+                         cylint_leaf_callback *callback, void *self, int any)
 {
-    return any && ends_outside(bvh, ray)
-               ? traverse_as(bvh, ray, callback, self, 1)
-               : traverse_as(bvh, ray, callback, self, 0);
-}
-
-static void traverse_line(const cylint_bvh *bvh, const double o[3],
-                          const double d[3], const double *tmax,
-                          cylint_leaf_callback *callback, void *self)
-{
-    const cylint_leaf *leaf;
-    float least[CYLINT_LEAF_SIZE];
-    ray_state state;
-    traversal t;
-    start_line(&state, bvh, o, d, *tmax);
-    push_start(&t, bvh, &state);
-    leaf_ahead ahead = {NULL, {0}};
-    while ((leaf = take_leaf(&t, &ahead))) {
-        const unsigned lanes = test_line(leaf, o, d, *tmax, least);
-        if (!lanes)
-            continue;
-        if (callback(self, leaf, lanes, least))
-            return;
-        set_last(&state, cylint_float_above(*tmax));
-    }
+    return any && ends_outside(bvh, line)
+               ? traverse_as(bvh, line, callback, self, 1)
+               : traverse_as(bvh, line, callback, self, 0);
 }
 
 /* ----------------------------------------------------------- in no order -- */
@@ -166,13 +139,13 @@ static inline void visit_nodes(waiting *w, const ray_state *state)
     w->n_leaves = n_leaves;
 }
 
-static void traverse_all(const cylint_bvh *bvh, const double o[3],
-                         const double d[3], const double *tmax,
+static void traverse_all(const cylint_bvh *bvh, const cylint_bvh_line *line,
                          cylint_leaf_callback *callback, void *self)
 {
+    const float_direction along = direction_of(line);
     ray_state state;
     waiting w;
-    start_line(&state, bvh, o, d, *tmax);
+    start_line(&state, bvh, line);
     w.bvh = bvh;
     w.stack[0] = 0;
     w.n = 1;
@@ -184,7 +157,8 @@ static void traverse_all(const cylint_bvh *bvh, const double o[3],
         for (int i = 0; i < w.n_leaves; i++) {
             const cylint_leaf *leaf =
                 &bvh->leaves[w.leaves[i] & ~CYLINT_LEAF_FLAG];
-            const unsigned lanes = test_line(leaf, o, d, *tmax, NULL);
+            const unsigned lanes =
+                test_line(leaf, NULL, line, &along, NULL, NULL);
             if (lanes && callback(self, leaf, lanes, NULL))
                 return;
         }
@@ -192,5 +166,5 @@ static void traverse_all(const cylint_bvh *bvh, const double o[3],
     }
 }
 
-const cylint_traversal CYLINT_TRAVERSAL = {traverse_ray, traverse_line,
-                                           traverse_all, CYLINT_TRAVERSE_POINT};
+const cylint_traversal CYLINT_TRAVERSAL = {traverse_line, traverse_all,
+                                           CYLINT_TRAVERSE_POINT};

@@ -12,16 +12,17 @@
 
 #include "bvh.h"
 
-/* The ray o + t d, tnear <= t <= tfar.  These are the first members of Embree's
- * RTCRay, so that such rays need no copy. */
-typedef struct cylint_float_ray {
-    float o[3], tnear, d[3], time, tfar;
-} cylint_float_ray;
+/* The line o + t d, tmin <= t <= tmax.  d has an error of up to 2^-52 of its length
+ * (the high parts of a segment's).  Its components are floats, or the largest is
+ * about 1. */
+typedef struct cylint_bvh_line {
+    double o[3], d[3], tmin, tmax;
+} cylint_bvh_line;
 
 /*
  * A leaf callback gets the lanes (bits) of a leaf that may be hit; the t of any
- * hit on a lane is at least least[lane].  It may reduce tfar of the ray or *tmax
- * of the line.  It returns 1 to stop the traversal.
+ * hit on a lane is at least least[lane].  It may reduce tmax of the line.  It
+ * returns 1 to stop the traversal.
  */
 typedef int cylint_leaf_callback(void *self, const cylint_leaf *leaf,
                                  unsigned lanes,
@@ -37,19 +38,19 @@ static inline int cylint_nearest_lane(unsigned lanes,
     return lane;
 }
 
-/* Traverses a hierarchy that is not empty with a ray.  any: may return 1 if the ray
- * certainly hits some shape.  If it returns 0, the callback got all pieces that the
- * ray may hit. */
-typedef int cylint_traverse_ray(const cylint_bvh *bvh,
-                                const cylint_float_ray *ray,
-                                cylint_leaf_callback *callback, void *self,
-                                int any);
+/* Traverses a hierarchy that is not empty with a line.  any: may return 1 if the
+ * line certainly hits some shape.  If it returns 0, the callback got all pieces that
+ * the line may hit. */
+typedef int cylint_traverse_line(const cylint_bvh *bvh,
+                                 const cylint_bvh_line *line,
+                                 cylint_leaf_callback *callback, void *self,
+                                 int any);
 
-/* The same with the line o + t d in doubles, 0 <= t <= *tmax, where d has an error
- * of up to 2^-52 of its length (the high parts of a segment's). */
-typedef void cylint_traverse_line(const cylint_bvh *bvh, const double o[3],
-                                  const double d[3], const double *tmax,
-                                  cylint_leaf_callback *callback, void *self);
+/* The same in no order: the callback gets no least[], and boxes beyond a lesser tmax
+ * are visited, too. */
+typedef void cylint_traverse_all(const cylint_bvh *bvh,
+                                 const cylint_bvh_line *line,
+                                 cylint_leaf_callback *callback, void *self);
 
 /* Gets a leaf, of which the pieces of a lane are at least least[lane] away.  It
  * may reduce the distance.  Returns 1 to stop the traversal. */
@@ -67,10 +68,8 @@ typedef void cylint_traverse_point(const cylint_bvh *bvh, const double point[3],
 #define CYLINT_POINT_MOST 0x1p60
 
 typedef struct cylint_traversal {
-    cylint_traverse_ray *ray;
     cylint_traverse_line *line;
-    cylint_traverse_line *all; /* in no order, and the callback gets no least[];
-                                  boxes beyond a lesser *tmax are visited, too */
+    cylint_traverse_all *all;
     cylint_traverse_point *point;
 } cylint_traversal;
 

@@ -25,10 +25,10 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
                                              double z_error, int is_present,
                                              int on_ball, question *of)
 {
-    if (t + e < of->tmin || !is_present)
+    if (t + e < of->line.tmin || !is_present)
         return CYLINT_FLOAT_FILTER_MISS;
     const float above = of->t = cylint_float_above(t);
-    if (e > 0 && !(t - e > of->tmin && cylint_is_float_above(above, t, e)))
+    if (e > 0 && !(t - e > of->line.tmin && cylint_is_float_above(above, t, e)))
         return CYLINT_FLOAT_FILTER_UNDECIDED;
     if (above > of->tfar) /* t may be less where both are subnormal */
         return t > (double)of->tfar ? CYLINT_FLOAT_FILTER_MISS
@@ -55,9 +55,9 @@ INLINE int pierces_at_float(const question *of, int top, double *t)
     EACH(j, 3) {
         if (!cylint_runs_along(w, j))
             continue;
-        const pair rise = two_diff(top ? p1[j] : p0[j], of->o[j]);
-        *t = (double)(float)(rise.hi / of->d[j]);
-        return rise.lo == 0 && *t * of->d[j] == rise.hi;
+        const pair rise = two_diff(top ? p1[j] : p0[j], of->line.o[j]);
+        *t = (double)(float)(rise.hi / of->line.d[j]);
+        return rise.lo == 0 && *t * of->line.d[j] == rise.hi;
     }
     return 0;
 }

@@ -161,19 +161,19 @@ INLINE void load_questions(questions *q)
     /* base and r0, top and r1; of an angle cone v and -k, u and k */
     load_columns(q, offsetof(question, record.p0), base);
     load_columns(q, offsetof(question, record.p1), top);
-    load_columns(q, offsetof(question, o), x);
-    load_columns(q, offsetof(question, d[1]), x + 4);
+    load_columns(q, offsetof(question, near), x); /* and o */
+    load_columns(q, offsetof(question, line.d), x + 4);
     q->r0 = base[3];
     q->dr = top[3] - base[3];
     q->is_angle = v_lt(base[3] * top[3], zero);
-    q->from = x[7];
+    q->from = x[0];
     EACH(j, 3) {
-        const vpair o = v_two_sum(x[j], -base[j]);
+        const vpair o = v_two_sum(x[1 + j], -base[j]);
         const vd p0 = v_select(q->is_angle, zero, base[j]);
         const vpair w = v_two_sum(top[j], -p0);
         q->w[j] = w.hi;
         q->w_low[j] = w.lo;
-        q->u[j] = x[3 + j];
+        q->u[j] = x[4 + j];
         q->D[j] = (o.hi + q->from * q->u[j]) + o.lo;
     }
     if (m_any(q->is_angle)) {

@@ -96,12 +96,6 @@ static inline size_t cylint_embree_array_at(const cylint_embree_data *data,
 
 /* ------------------------------------------------------- rays -- */
 
-/* cylint_float_ray has the layout of the first members of RTCRay. */
-static inline const cylint_float_ray *float_ray(const struct RTCRay *ray)
-{
-    return (const cylint_float_ray *)ray;
-}
-
 /* The arguments of both callbacks have the same members; in place of `rayhit` those
  * for occlusion have rays alone. */
 typedef struct RTCIntersectFunctionNArguments cylint_embree_call;

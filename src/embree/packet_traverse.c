@@ -31,7 +31,7 @@ typedef struct {
     unsigned active;  /* not stopped yet */
     unsigned outside; /* see ends_outside(); 0 unless certain hits are wanted */
     ray_state state[CYLINT_PACKET_MOST];
-    float E[CYLINT_PACKET_MOST]; /* size_of() each ray */
+    float_direction along[CYLINT_PACKET_MOST];
     cylint_ray_test *packet;
 } traversal;
 
@@ -93,8 +93,8 @@ CYLINT_INLINE unsigned test_rays(traversal *t, const cylint_leaf *leaf,
     EACH_BIT(k, rays) {
         cylint_ray_test *const r = &t->packet[k];
         unsigned sure = 0;
-        r->lanes = test_ray(leaf, all, float_ray(r->ray), t->E[k], r->least,
-                            certain ? &sure : NULL);
+        r->lanes = test_line(leaf, all, &r->q.line, &t->along[k], r->least,
+                             certain ? &sure : NULL);
         if (sure && t->outside >> k & 1)
             stopped |= 1u << k;
         else
@@ -119,11 +119,11 @@ void CYLINT_PACKET_TRACE(cylint_ray_test *packet, unsigned rays, int certain)
     t.active = rays;
     t.outside = 0;
     EACH_BIT(k, rays) {
-        const cylint_float_ray *ray = float_ray(packet[k].ray);
-        t.E[k] = size_of(ray);
-        start_ray(&t.state[k], bvh, ray);
+        const cylint_bvh_line *line = &packet[k].q.line;
+        t.along[k] = direction_of(line);
+        start_line(&t.state[k], bvh, line);
         if (certain)
-            t.outside |= (unsigned)ends_outside(bvh, ray) << k;
+            t.outside |= (unsigned)ends_outside(bvh, line) << k;
     }
     while ((leaf = next_leaf(&t, &at))) {
         const unsigned hit = t.outside && leaf->used & CYLINT_LEAF_SOLID
@@ -133,6 +133,6 @@ void CYLINT_PACKET_TRACE(cylint_ray_test *packet, unsigned rays, int certain)
             continue;
         t.active &= ~cylint_packet_test(packet, leaf, hit);
         EACH_BIT(k, hit)
-            shorten(&t.state[k], packet[k].ray->tfar);
+            shorten(&t.state[k], packet[k].q.line.tmax);
     }
 }

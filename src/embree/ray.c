@@ -13,21 +13,16 @@
 #include "../numbers/environment.h"
 #include "geometry.h"
 
-/* The layouts that geometry.h states. */
-#define RAY(x, y) (offsetof(cylint_float_ray, x) == offsetof(struct RTCRay, y))
+/* The layout that geometry.h states. */
 #define CALL(x, y)                      \
     (offsetof(cylint_embree_call, x) == \
      offsetof(struct RTCOccludedFunctionNArguments, y))
 typedef char
-    same_layouts[RAY(o[0], org_x) && RAY(o[2], org_z) && RAY(tnear, tnear) &&
-                         RAY(d[0], dir_x) && RAY(d[2], dir_z) &&
-                         RAY(tfar, tfar) && CALL(valid, valid) &&
-                         CALL(geometryUserPtr, geometryUserPtr) &&
+    same_layouts[CALL(valid, valid) && CALL(geometryUserPtr, geometryUserPtr) &&
                          CALL(primID, primID) && CALL(context, context) &&
                          CALL(rayhit, ray) && CALL(N, N) && CALL(geomID, geomID)
                      ? 1
                      : -1];
-#undef RAY
 #undef CALL
 
 typedef cylint_embree_call call;
@@ -55,7 +50,8 @@ static cylint_float_filter *const no_filter[2] = {decide_nothing,
 static inline int start_test(ray_test *r, const call *args, int any,
                              struct RTCRay *ray, struct RTCHit *hit)
 {
-    const cylint_float_ray *from = float_ray(ray);
+    const double o[3] = {ray->org_x, ray->org_y, ray->org_z},
+                 d[3] = {ray->dir_x, ray->dir_y, ray->dir_z};
     double direction = 0, all = 0;
     r->data = args->geometryUserPtr;
     r->filter = cylint_rounds_to_nearest() ? r->data->filter : no_filter;
@@ -64,20 +60,21 @@ static inline int start_test(ray_test *r, const call *args, int any,
     r->ray = ray;
     r->hit = hit;
     EACH(j, 3) {
-        r->q.o[j] = from->o[j];
-        r->q.d[j] = from->d[j];
-        direction += fabs(r->q.d[j]);
-        all += fabs(r->q.o[j]);
+        r->q.line.o[j] = o[j];
+        r->q.line.d[j] = d[j];
+        direction += fabs(d[j]);
+        all += fabs(o[j]);
     }
-    r->q.tmin = from->tnear;
+    r->q.line.tmin = ray->tnear;
+    r->q.line.tmax = ray->tfar;
     /* whether the caller or a filter reads u, v and Ng */
     r->q.describes = !has_flag(r, CYLINT_EMBREE_BARE) &&
                      (!any || !has_flag(r, CYLINT_EMBREE_NO_FILTERS));
-    r->last = from->tfar;
+    r->last = ray->tfar;
     r->found = 0;
     r->last_ball = -1;
     return (direction > 0) & (all + direction < HUGE_VAL) &
-           (from->tnear <= from->tfar);
+           (ray->tnear <= ray->tfar);
 }
 
 /* The number of the shape of this rank. */
@@ -114,7 +111,7 @@ static void intersect(const ray_test *r, size_t rank, int ties, exact_hits *x)
     const double tfar = r->ray->tfar;
     const double tmax = ties ? nextafter(tfar, HUGE_VAL) : tfar;
     cylint_embree_shape(r->data->shapes, rank, r->ray->time, &x->shape);
-    cylint_span(&x->line, q->o, q->d, q->tmin, tmax);
+    cylint_span(&x->line, q->line.o, q->line.d, q->line.tmin, tmax);
     cylint_intersect(&x->shape, &x->line, want, &x->answer);
 }
 
@@ -276,6 +273,7 @@ static int record(ray_test *r)
     }
     if (r->any)
         r->ray->tfar = -HUGE_VALF;
+    r->q.line.tmax = r->ray->tfar;
     r->last_ball = r->q.ball;
     r->last_rank = r->rank;
     r->last_t = r->q.t;
@@ -406,8 +404,8 @@ static void test_primitive(ray_test *r)
     if (r->data->options.moved)
         cylint_embree_moving_record(s, r->rank, r->ray->time, &r->q.record);
     EACH(j, 3) {
-        along += (r->q.record.p0[j] - r->q.o[j]) * r->q.d[j];
-        dd += r->q.d[j] * r->q.d[j];
+        along += (r->q.record.p0[j] - r->q.line.o[j]) * r->q.line.d[j];
+        dd += r->q.line.d[j] * r->q.line.d[j];
     }
     r->q.near = (double)(float)(along / dd);
     filter_one(r);
@@ -420,8 +418,8 @@ static int trace_single(ray_test *r)
     const cylint_traversal *traversal = r->data->traversal;
     if (!traversal)
         test_primitive(r);
-    else if (traversal->ray(&r->data->bvh, float_ray(r->ray), test_lanes, r,
-                            r->any && has_flag(r, CYLINT_EMBREE_NO_FILTERS)))
+    else if (traversal->line(&r->data->bvh, &r->q.line, test_lanes, r,
+                             r->any && has_flag(r, CYLINT_EMBREE_NO_FILTERS)))
         cylint_record_any(r);
     return r->found;
 }
@@ -498,8 +496,8 @@ static unsigned near_first(const ray_test packet[], unsigned rays, unsigned N)
         double far = 0;
         int is = 1;
         EACH(j, 3) {
-            far += fabs(r->q.o[j] - first->q.o[j]);
-            is &= !signbit(r->q.d[j]) == !signbit(first->q.d[j]);
+            far += fabs(r->q.line.o[j] - first->q.line.o[j]);
+            is &= !signbit(r->q.line.d[j]) == !signbit(first->q.line.d[j]);
         }
         is &= far < S / 8;
         near |= (unsigned)is << k;

@@ -10,7 +10,7 @@
 
 #include <stdint.h>
 
-#include "../bvh/bvh.h"
+#include "../bvh/traverse.h"
 #include "../shapes/record.h"
 #include "cylint_embree.h"
 
@@ -86,11 +86,12 @@ enum { CYLINT_HIT_FLOATS = 5 };
 
 /*
  * A ray, the question which is its first hit on a piece of a shape, and the answer.
- * o, d and near are floats; cylint_span() accepts the line.  near: a t near the
- * shape.
+ * All numbers of the line and near are floats; cylint_span() accepts the line.
+ * near: a t near the shape.
  */
 typedef struct cylint_float_filter_question {
-    double o[3], d[3], tmin, near;
+    double near;
+    cylint_bvh_line line;
     /* of the shape; of a round kind with negative radii, of an angle cone with the
      * negative tangent as r0; NaN radii: the filter does not decide the shape */
     cylint_record record;

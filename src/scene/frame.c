@@ -107,14 +107,15 @@ cylint_frame_status cylint_frame_line(const cylint_frame *frame,
         const pair from = two_diff(line->o[j], frame->view.center[j]);
         pair step = two_prod(ray->entry, line->d[j]);
         step.lo += ray->entry * line->d_lo[j];
-        ray->o[j] = pair_add(from, step).hi * frame->view.scale;
-        ray->d[j] = line->d[j] / size;
+        ray->line.o[j] = pair_add(from, step).hi * frame->view.scale;
+        ray->line.d[j] = line->d[j] / size;
         const double far = (fabs(from.hi) + fabs(step.hi)) * frame->view.scale;
-        if (!(fabs(ray->o[j]) < 2) || !(far <= 0x1p50))
+        if (!(fabs(ray->line.o[j]) < 2) || !(far <= 0x1p50))
             return CYLINT_FRAME_UNUSABLE;
     }
-    ray->length = cylint_frame_reach(ray, to);
-    return ray->length <= 2.5 ? CYLINT_FRAME_ENTERED : CYLINT_FRAME_UNUSABLE;
+    ray->line.tmin = 0;
+    ray->line.tmax = cylint_frame_reach(ray, to);
+    return ray->line.tmax <= 2.5 ? CYLINT_FRAME_ENTERED : CYLINT_FRAME_UNUSABLE;
 }
 
 /* A root that rounds to t or less is less than the double after t.  The difference

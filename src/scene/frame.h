@@ -8,7 +8,7 @@
 #ifndef CYLINT_SCENE_FRAME_H
 #define CYLINT_SCENE_FRAME_H
 
-#include "../bvh/swept_disc.h"
+#include "../bvh/traverse.h"
 
 /* A box of the caller's, and the view of the scene's shapes in which it lies within
  * [-1, 1]. */
@@ -22,10 +22,10 @@ typedef struct {
 #define CYLINT_FRAME_MOST 0x1p400
 #define CYLINT_FRAME_LEAST 0x1p-400
 
-/* The part of a line within the frame: o + s d, 0 <= s <= length, where
+/* The part of a line within the frame: o + s d, 0 <= s <= tmax, where
  * t = entry + s / per_t and no component of d is larger than 1. */
 typedef struct {
-    double o[3], d[3], length;
+    cylint_bvh_line line;
     double entry, per_t;
 } cylint_frame_ray;
 

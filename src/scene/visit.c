@@ -128,7 +128,7 @@ typedef struct {
     const cylint_scene *scene;
     cylint_line line;          /* its tmax decreases with `last` */
     const cylint_line *domain; /* of chords */
-    cylint_frame_ray ray;      /* its length does too */
+    cylint_frame_ray ray;      /* its tmax does, too */
     double last;               /* the last t that is wanted */
     size_t except;
     unsigned want;
@@ -243,12 +243,12 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
         const int lane = cylint_nearest_lane(lanes, least);
         const double last = v->last;
         lanes &= ~(1u << lane);
-        if ((double)least[lane] > v->ray.length)
+        if ((double)least[lane] > v->ray.line.tmax)
             continue;
         test_line_lane(v, leaf, lane);
         if (v->last < last)
-            v->ray.length =
-                fmin(v->ray.length, cylint_frame_reach(&v->ray, v->last));
+            v->ray.line.tmax =
+                fmin(v->ray.line.tmax, cylint_frame_reach(&v->ray, v->last));
     }
     return v->stopped;
 }
@@ -332,13 +332,11 @@ static void traverse_lines(line_visit *v, int in_no_order)
         return;
     case CYLINT_FRAME_ENTERED:
         if (in_no_order) {
-            s->traversal->all(&s->bvh, v->ray.o, v->ray.d, &v->ray.length,
-                              keep_line_leaf, v);
+            s->traversal->all(&s->bvh, &v->ray.line, keep_line_leaf, v);
             test_later(v);
             return;
         }
-        s->traversal->line(&s->bvh, v->ray.o, v->ray.d, &v->ray.length,
-                           test_line_leaf, v);
+        s->traversal->line(&s->bvh, &v->ray.line, test_line_leaf, v, 0);
         return;
     default:
         test_each(v, &v->stopped, test_line_at, s->bounded, 0, s->n_bounded);

@@ -346,6 +346,16 @@ static void draw_tapered(int round, cylint_shape *shape)
               shape, p[0], r[0], p[1], r[1], CYLINT_ENDS_CAPPED) == CYLINT_OK);
 }
 
+static unsigned lanes_hit(const cylint_leaf *leaf, const double o[3],
+                          const double d[3], double tmax)
+{
+    const cylint_bvh_line line = {
+        {o[0], o[1], o[2]}, {d[0], d[1], d[2]}, 0, tmax};
+    const float_direction along = direction_of(&line);
+    float least[CYLINT_LEAF_SIZE];
+    return test_line(leaf, NULL, &line, &along, least, NULL);
+}
+
 /* Each hit lies in the box of the piece that owns it, and the leaf test does not
  * reject that piece where the domain ends at the hit, or is the hit. */
 static long check_pieces(const cylint_shape *shape, const cylint_line *line,
@@ -365,13 +375,12 @@ static long check_pieces(const cylint_shape *shape, const cylint_line *line,
         const cylint_extent box = cylint_piece_box(&swept, reach, piece);
         const cylint_boxed_piece boxed = {box, 0, piece};
         cylint_leaf leaf;
-        float least[CYLINT_LEAF_SIZE];
         cylint_leaf_fill(&leaf, &swept, &boxed, 1, 0);
         for (int j = 0; j < 3; j++)
             CHECK((double)box.lower[j] <= hit->point[j] &&
                   hit->point[j] <= (double)box.upper[j]);
-        if (!CHECK(test_line(&leaf, line->o, line->d, hit->t, least) &&
-                   test_line(&leaf, hit->point, line->d, 0, least)))
+        if (!CHECK(lanes_hit(&leaf, line->o, line->d, hit->t) &&
+                   lanes_hit(&leaf, hit->point, line->d, 0)))
             REPORT("piece %d of %d, kind %d, radii %g and %g", piece.index,
                    count, shape->kind, cylint_r0(shape), cylint_r1(shape));
     }
@@ -417,9 +426,9 @@ static int count_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
  * and in the last node, the leaf.  The line hits all boxes. */
 static void traverse_equal_boxes(int depth, int n_leaves, long leaves)
 {
-    static const double o[3] = {0.5, 0.25, -2}, d[3] = {0.25, 0.125, 1};
+    static const cylint_bvh_line through = {
+        {0.5, 0.25, -2}, {0.25, 0.125, 1}, 0, 4};
     static const cylint_extent box = {{-1, -1, -1}, {1, 1, 1}};
-    const double tmax = 4;
     const cylint_leaf leaf = {.steps = 0x3c00, .used = 1, .always = 1};
     cylint_node nodes[CYLINT_BVH_DEPTH];
     cylint_bvh bvh = {.leaves = &leaf, .nodes = nodes};
@@ -436,8 +445,8 @@ static void traverse_equal_boxes(int depth, int n_leaves, long leaves)
                                               cylint_traversal_used()};
     for (int k = 0; k < 2; k++) {
         long line = 0, all = 0;
-        builds[k]->line(&bvh, o, d, &tmax, count_leaf, &line);
-        builds[k]->all(&bvh, o, d, &tmax, count_leaf, &all);
+        builds[k]->line(&bvh, &through, count_leaf, &line, 0);
+        builds[k]->all(&bvh, &through, count_leaf, &all);
         CHECK(line == leaves && all == leaves);
     }
 }

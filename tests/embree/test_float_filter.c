@@ -68,8 +68,8 @@ static float near_shape(const struct filter_case *q, uint64_t index)
     const double t = q->n ? q->answer.hit[0].t : 0;
     double along = 0, dd = 0;
     for (int j = 0; j < 3; j++) {
-        along += (cylint_base(q->shape)[j] - q->q.o[j]) * q->q.d[j];
-        dd += q->q.d[j] * q->q.d[j];
+        along += (cylint_base(q->shape)[j] - q->q.line.o[j]) * q->q.line.d[j];
+        dd += q->q.line.d[j] * q->q.line.d[j];
     }
     if (index % 3 == 0)
         return (float)(along / dd);
@@ -101,11 +101,12 @@ static int make_case(struct filter_case *x, const cylint_shape *shape,
     cylint_line line;
     memset(&x->q, 0, sizeof x->q);
     for (int j = 0; j < 3; j++) {
-        x->q.o[j] = (float)o[j];
-        x->q.d[j] = (float)d[j];
+        x->q.line.o[j] = (float)o[j];
+        x->q.line.d[j] = (float)d[j];
     }
-    x->q.tmin = index % 5 ? 0 : -HUGE_VAL;
-    if (cylint_span(&line, x->q.o, x->q.d, x->q.tmin, HUGE_VAL) != CYLINT_OK)
+    x->q.line.tmin = index % 5 ? 0 : -HUGE_VAL;
+    if (cylint_span(&line, x->q.line.o, x->q.line.d, x->q.line.tmin,
+                    HUGE_VAL) != CYLINT_OK)
         return 0;
     x->shape = shape;
     x->n = cylint_intersect(shape, &line, CYLINT_WANT_ALL, &x->answer);
@@ -211,7 +212,7 @@ static struct tally ask_families(const struct build *build, int family,
             if (!CHECK(is_right(&c.cases[k], &tally))) {
                 const cylint_float_filter_question *q = c.asked[k];
                 REPORT("%s, %d of %d, %d; in floats, near %a, from %a:",
-                       build->name, k, c.n, (int)q->is, q->near, q->tmin);
+                       build->name, k, c.n, (int)q->is, q->near, q->line.tmin);
                 REPORT_CASE(&c.from[k]);
             }
     }
