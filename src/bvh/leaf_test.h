@@ -345,8 +345,8 @@ static inline float_direction direction_of(const cylint_bvh_line *line)
 
 /* all: the leaf's cylinders, or NULL.  along: the direction of the line.  least may
  * be NULL.  certain: NULL, or 0 before and then as in test_lanes().  Near the leaf
- * floats are accurate enough: q, e, tmin and tmax are rounded once, which the errors
- * above contain. */
+ * floats are accurate enough: q, e, tmin and tmax are rounded once, which the
+ * errors above contain. */
 CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const cylinders *all,
                                  const cylint_bvh_line *line,
                                  const float_direction *along, float *least,

@@ -37,12 +37,12 @@ typedef struct {
  *   twice, by 3 u S; x r is rounded twice, F r once if it is not fused, and
  *   their difference once,
  *
- * in all less than 10 u (|x| + S) |r|.  set_box_test() allows 16 u.  A component of d
- * below 2^-60 of the largest is replaced by that; on a length of 2^10 S this
+ * in all less than 10 u (|x| + S) |r|.  set_box_test() allows 16 u.  A component of
+ * d below 2^-60 of the largest is replaced by that; on a length of 2^10 S this
  * moves the line by less than another 2^-21 S, which the 16 u cover.  A number
  * flushed to zero is less than FLT_MIN.  The allowance is at least 2^-19 of x r
- * and F r: where it is 2^100 or more these may overflow, and set_box_test() makes it
- * infinite.  Then each box is between its faces; f_higher() and f_lower() ignore
+ * and F r: where it is 2^100 or more these may overflow, and set_box_test() makes
+ * it infinite.  Then each box is between its faces; f_higher() and f_lower() ignore
  * a NaN.
  */
 
@@ -146,8 +146,8 @@ static inline void shorten(ray_state *s, double tmax)
     s->last_key = order_key(s->last);
 }
 
-/* A line from far away begins at its point nearest to the centre, because floats are
- * coarse there.  That point's terms and their sum are rounded. */
+/* A line from far away begins at its point nearest to the centre, because floats
+ * are coarse there.  That point's terms and their sum are rounded. */
 static inline void start_line(ray_state *s, const cylint_bvh *bvh,
                               const cylint_bvh_line *line)
 {

@@ -46,7 +46,7 @@ CYLINT_INLINE int traverse_as(const cylint_bvh *bvh,
                               int certain)
 {
     const float_direction along = direction_of(line);
-    const cylint_leaf *leaf;
+    entry at, ahead = {0};
     float least[CYLINT_LEAF_SIZE];
     ray_state state;
     traversal t;
@@ -55,8 +55,8 @@ CYLINT_INLINE int traverse_as(const cylint_bvh *bvh,
     t.ray = &state;
     t.stack[0] = (entry){keyed_child(order_key(state.first), 0)};
     t.n = 1;
-    leaf_ahead ahead = {NULL, {0}};
-    while ((leaf = take_leaf(&t, &ahead))) {
+    while ((at = take_leaf(&t, &ahead)).key) {
+        const cylint_leaf *leaf = leaf_of(&t, at);
         unsigned certain_lanes = 0;
         const unsigned lanes = test_line(leaf, NULL, line, &along, least,
                                          certain ? &certain_lanes : NULL);

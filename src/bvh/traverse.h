@@ -39,15 +39,15 @@ static inline int cylint_nearest_lane(unsigned lanes,
 }
 
 /* Traverses a hierarchy that is not empty with a line.  any: may return 1 if the
- * line certainly hits some shape.  If it returns 0, the callback got all pieces that
- * the line may hit. */
+ * line certainly hits some shape.  If it returns 0, the callback got all pieces
+ * that the line may hit. */
 typedef int cylint_traverse_line(const cylint_bvh *bvh,
                                  const cylint_bvh_line *line,
                                  cylint_leaf_callback *callback, void *self,
                                  int any);
 
-/* The same in no order: the callback gets no least[], and boxes beyond a lesser tmax
- * are visited, too. */
+/* The same in no order: the callback gets no least[], and boxes beyond a lesser
+ * tmax are visited, too. */
 typedef void cylint_traverse_all(const cylint_bvh *bvh,
                                  const cylint_bvh_line *line,
                                  cylint_leaf_callback *callback, void *self);

@@ -185,12 +185,12 @@ void CYLINT_TRAVERSE_POINT(const cylint_bvh *bvh, const double point[3],
                            const double *distance,
                            cylint_point_leaf_callback *callback, void *self)
 {
-    const cylint_leaf *leaf;
+    entry at, ahead = {0};
     double least[CYLINT_LEAF_SIZE];
     traversal t;
     start_point(&t, bvh, point, distance);
-    leaf_ahead ahead = {NULL, {0}};
-    while ((leaf = take_leaf(&t, &ahead))) {
+    while ((at = take_leaf(&t, &ahead)).key) {
+        const cylint_leaf *leaf = leaf_of(&t, at);
         test_lanes_of(&t, leaf, least);
         if (callback(self, leaf, least))
             return;

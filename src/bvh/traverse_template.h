@@ -43,20 +43,17 @@ CYLINT_INLINE entry push_children(traversal *t, const cylint_node *node,
     return next;
 }
 
-/* The next leaf, with its entry in *at, or NULL. */
-CYLINT_INLINE const cylint_leaf *next_leaf(traversal *t, entry *at)
+/* The entry of the next leaf, or one without key. */
+CYLINT_INLINE entry next_leaf(traversal *t)
 {
     while (t->n > 0) {
         entry next = t->stack[--t->n];
         if (!is_needed(t, &next))
             continue;
         for (;;) {
-            const uint32_t child = (uint32_t)next.key;
-            if (child & CYLINT_LEAF_FLAG) {
-                *at = next;
-                return &t->bvh->leaves[child & ~CYLINT_LEAF_FLAG];
-            }
-            const cylint_node *node = &t->bvh->nodes[child];
+            if ((uint32_t)next.key & CYLINT_LEAF_FLAG)
+                return next;
+            const cylint_node *node = &t->bvh->nodes[(uint32_t)next.key];
             child_hits hits;
             const unsigned hit = hit_children(t, &next, node, &hits);
             if (!hit)
@@ -64,32 +61,31 @@ CYLINT_INLINE const cylint_leaf *next_leaf(traversal *t, entry *at)
             next = push_children(t, node, hit, &hits);
         }
     }
-    return NULL;
+    return (entry){0};
 }
 
-/* The leaf after the present one, of a hierarchy that is larger than the caches.
- * It is computed before the present one is tested: so its data arrive meanwhile.
- * By then it may no longer be needed. */
-typedef struct {
-    const cylint_leaf *leaf; /* or NULL */
-    entry at;
-} leaf_ahead;
+/* The leaf of such an entry. */
+CYLINT_INLINE const cylint_leaf *leaf_of(const traversal *t, entry e)
+{
+    return &t->bvh->leaves[(uint32_t)e.key & ~CYLINT_LEAF_FLAG];
+}
 
 /* The most leaves for which nothing is computed ahead. */
 enum { CYLINT_CACHED_LEAVES = 2048 };
 
-/* The next leaf, or NULL.  *ahead has no leaf before the first. */
-CYLINT_INLINE const cylint_leaf *take_leaf(traversal *t, leaf_ahead *ahead)
+/* As next_leaf(), with one leaf ahead if the hierarchy is larger than the caches:
+ * its data arrive while the present leaf is tested.  By then it may no longer be
+ * needed.  *ahead is its entry, without key before the first. */
+CYLINT_INLINE entry take_leaf(traversal *t, entry *ahead)
 {
-    leaf_ahead next;
+    entry next;
     do {
-        leaf_ahead found = {NULL, {0}};
-        found.leaf = next_leaf(t, &found.at);
-        next = found;
+        next = next_leaf(t);
         if (t->bvh->n_leaves > CYLINT_CACHED_LEAVES) {
+            const entry found = next;
             next = *ahead;
             *ahead = found;
         }
-    } while (next.leaf ? !is_needed(t, &next.at) : ahead->leaf != NULL);
-    return next.leaf;
+    } while (next.key ? !is_needed(t, &next) : ahead->key != 0);
+    return next;
 }

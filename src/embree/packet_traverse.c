@@ -109,7 +109,6 @@ CYLINT_INLINE unsigned test_rays(traversal *t, const cylint_leaf *leaf,
 void CYLINT_PACKET_TRACE(cylint_ray_test *packet, unsigned rays, int certain)
 {
     const cylint_bvh *bvh = &packet[cylint_lowest(rays)].data->bvh;
-    const cylint_leaf *leaf;
     entry at;
     traversal t;
     t.bvh = bvh;
@@ -125,7 +124,8 @@ void CYLINT_PACKET_TRACE(cylint_ray_test *packet, unsigned rays, int certain)
         if (certain)
             t.outside |= (unsigned)ends_outside(bvh, line) << k;
     }
-    while ((leaf = next_leaf(&t, &at))) {
+    while ((at = next_leaf(&t)).key) {
+        const cylint_leaf *leaf = leaf_of(&t, at);
         const unsigned hit = t.outside && leaf->used & CYLINT_LEAF_SOLID
                                  ? test_rays(&t, leaf, at.rays, 1)
                                  : test_rays(&t, leaf, at.rays, 0);
