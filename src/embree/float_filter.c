@@ -25,14 +25,15 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
                                              double z_error, int is_present,
                                              int on_ball, question *of)
 {
+    const double tmax = of->line.tmax;
     if (t + e < of->line.tmin || !is_present)
         return CYLINT_FLOAT_FILTER_MISS;
     const float above = of->t = cylint_float_above(t);
     if (e > 0 && !(t - e > of->line.tmin && cylint_is_float_above(above, t, e)))
         return CYLINT_FLOAT_FILTER_UNDECIDED;
-    if (above > of->tfar) /* t may be less where both are subnormal */
-        return t > (double)of->tfar ? CYLINT_FLOAT_FILTER_MISS
-                                    : CYLINT_FLOAT_FILTER_UNDECIDED;
+    if ((double)above > tmax) /* t may be less where both are subnormal */
+        return t > tmax ? CYLINT_FLOAT_FILTER_MISS
+                        : CYLINT_FLOAT_FILTER_UNDECIDED;
     const int count = of->piece.count;
     if (count > 1) {
         const int index = cylint_piece_at(z - z_error, count);
@@ -41,8 +42,8 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
         if (index != of->piece.index)
             return CYLINT_FLOAT_FILTER_MISS;
     }
-    return above < of->tfar || on_ball ? CYLINT_FLOAT_FILTER_HIT
-                                       : CYLINT_FLOAT_FILTER_UNDECIDED;
+    return (double)above < tmax || on_ball ? CYLINT_FLOAT_FILTER_HIT
+                                           : CYLINT_FLOAT_FILTER_UNDECIDED;
 }
 
 /* Whether the line pierces a cap in a plane of coordinates where t is a float,

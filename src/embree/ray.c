@@ -87,7 +87,6 @@ static inline unsigned number_at(const ray_test *r, unsigned rank)
 CYLINT_INLINE void set_question(ray_test *r, int ends, cylint_shape_piece piece)
 {
     cylint_embree_record(&r->data->shapes[0], r->rank, &r->q.record);
-    r->q.tfar = r->ray->tfar;
     r->q.ends = ends;
     r->q.piece = piece;
     r->q.exit_only = 0;

@@ -78,7 +78,7 @@ cylint_extent cylint_embree_box(const cylint_shape *at_0,
 typedef enum {
     CYLINT_FLOAT_FILTER_UNDECIDED = -1, /* cylint_intersect() must decide */
     CYLINT_FLOAT_FILTER_MISS,           /* no hit in the domain */
-    /* t as a float is less than tfar or, on a ball, equal to it */
+    /* t as a float is less than tmax or, on a ball, equal to it */
     CYLINT_FLOAT_FILTER_HIT
 } cylint_float_filter_result;
 
@@ -95,7 +95,6 @@ typedef struct cylint_float_filter_question {
     /* of the shape; of a round kind with negative radii, of an angle cone with the
      * negative tangent as r0; NaN radii: the filter does not decide the shape */
     cylint_record record;
-    float tfar;
     int ends; /* the shape's */
     cylint_shape_piece piece;
     /* the same in all questions of a call: */

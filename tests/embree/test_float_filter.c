@@ -76,11 +76,11 @@ static float near_shape(const struct filter_case *q, uint64_t index)
     return (float)(t * (index % 3 == 1 ? 0.98 : 1.03));
 }
 
-/* Pieces and limits of case i: tfar infinite, or near the first hit. */
+/* Pieces and limits of case i: tmax infinite, or near the first hit. */
 static void set_piece(struct filter_case *x, uint64_t i)
 {
     const int count = i % 3 ? 1 : 1 + (int)(i / 3 % 16);
-    x->q.tfar = HUGE_VALF;
+    float tmax = HUGE_VALF;
     x->q.ends = x->shape->ends;
     x->q.piece = (cylint_shape_piece){(uint16_t)((int)(i / 48) % count),
                                       (uint16_t)count};
@@ -88,10 +88,10 @@ static void set_piece(struct filter_case *x, uint64_t i)
     x->q.describes = i % 7 != 0;
     const double t = x->answer.hit[i / 4 % 2 && x->n ? x->n - 1 : 0].t;
     if (i % 4 == 0 && x->n && t != 0) /* there is no float before 0 */
-        x->q.tfar =
-            cylint_float_after(cylint_float_above(t), (int)(i / 8 % 5) - 2);
-    if (!(fabsf(x->q.tfar) <= FLT_MAX)) /* nor one beyond FLT_MAX */
-        x->q.tfar = HUGE_VALF;
+        tmax = cylint_float_after(cylint_float_above(t), (int)(i / 8 % 5) - 2);
+    if (!(fabsf(tmax) <= FLT_MAX)) /* nor one beyond FLT_MAX */
+        tmax = HUGE_VALF;
+    x->q.line.tmax = (double)tmax;
     cylint_filter_record_of(&x->q.record, x->shape);
 }
 
@@ -183,15 +183,16 @@ static int is_right(const struct filter_case *x, struct tally *tally)
 {
     const cylint_float_filter_question *q = &x->q;
     const cylint_hit *hit = hit_on_piece(x);
-    const float t = hit ? cylint_float_above(hit->t) : HUGE_VALF;
-    tally->hits += t < q->tfar;
+    const float f = hit ? cylint_float_above(hit->t) : HUGE_VALF;
+    const double t = (double)f, tmax = q->line.tmax;
+    tally->hits += t < tmax;
     tally->certain += q->is == CYLINT_FLOAT_FILTER_HIT;
     if (q->is == CYLINT_FLOAT_FILTER_UNDECIDED)
         return 1;
     if (q->is == CYLINT_FLOAT_FILTER_MISS)
-        return !hit || t > q->tfar;
-    return hit && q->t == t && q->ball == ball_of(x, hit) &&
-           (q->ball < 0 ? t < q->tfar : t <= q->tfar) &&
+        return !hit || t > tmax;
+    return hit && q->t == f && q->ball == ball_of(x, hit) &&
+           (q->ball < 0 ? t < tmax : t <= tmax) &&
            q->leaves == (hit->side == CYLINT_SIDE_LEAVING) &&
            (!q->describes || same_floats(q->floats, hit));
 }
