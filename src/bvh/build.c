@@ -281,9 +281,6 @@ ASIDE size_t divide(const range *r)
 
 /* ---------------------------------------------------------------- nodes -- */
 
-/* A step is at least so much of the longest side of all boxes. */
-#define LEAST_STEP 0x1p-30f
-
 /* A node to be built over a range. */
 typedef struct {
     range all;
@@ -363,17 +360,6 @@ void cylint_node_place_child(cylint_node *node, int child,
         node->face[0][j][child] = (uint8_t)(from / step * (1 - 0x1p-50));
         node->face[1][j][child] = (uint8_t)ceil(to / step * (1 + 0x1p-50));
     }
-}
-
-float cylint_node_least_step(const cylint_extent *all)
-{
-    float longest = 0;
-    for (int j = 0; j < 3; j++)
-        longest = all->upper[j] - all->lower[j] > longest
-                      ? all->upper[j] - all->lower[j]
-                      : longest;
-    const float least = longest * LEAST_STEP, tiny = 0x1p-100f;
-    return least > tiny ? least : tiny;
 }
 
 void cylint_node_place(cylint_node *node, const cylint_extent *boxes, int n,
@@ -478,15 +464,14 @@ static uint32_t move_below(cylint_node *nodes, uint32_t *n, uint32_t number)
 
 /* First the root, then the tasks that it posts, then those that these post. */
 size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
-                          size_t n, const float center[3], int threads,
-                          cylint_watch *watch)
+                          size_t n, const float center[3], float least_step,
+                          int threads, cylint_watch *watch)
 {
     const range all = measured(boxes, n);
-    const cylint_extent box = extent_of(all.box);
     task now[MOST_TASKS];
     builder b = {.boxes = boxes,
                  .nodes = nodes,
-                 .least_step = cylint_node_least_step(&box),
+                 .least_step = least_step,
                  .center = center,
                  .watch = watch,
                  .task_size = n / MOST_TASKS,

@@ -58,8 +58,8 @@ size_t cylint_build_most_nodes(size_t leaves);
  * number of threads.
  */
 size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
-                          size_t n, const float center[3], int threads,
-                          cylint_watch *watch);
+                          size_t n, const float center[3], float least_step,
+                          int threads, cylint_watch *watch);
 
 /* Writes the corner, relative to the centre of the hierarchy, the steps and the
  * faces of n children with these boxes. */
@@ -69,8 +69,5 @@ void cylint_node_place(cylint_node *node, const cylint_extent *boxes, int n,
 /* Writes the faces of a child, rounded outward to whole steps from the corner. */
 void cylint_node_place_child(cylint_node *node, int child,
                              const cylint_extent *box, const float center[3]);
-
-/* The least step of nodes in the hierarchy's box. */
-float cylint_node_least_step(const cylint_extent *all);
 
 #endif

@@ -171,7 +171,7 @@ static cylint_bvh_status split_shapes(cylint_bvh *bvh,
 
 /* --------------------------------------------------------------- nodes -- */
 
-/* ray.h uses them: its S is the longest side of the box. */
+/* Steps are at least 2^-30 of the longest side. */
 void cylint_bvh_set_box(cylint_bvh *bvh, const cylint_extent *box,
                         double line_error)
 {
@@ -183,7 +183,8 @@ void cylint_bvh_set_box(cylint_bvh *bvh, const cylint_extent *box,
     }
     bvh->box = *box;
     bvh->pad = cylint_float_above(longest * 0x1p-19 + line_error);
-    bvh->near_distance = cylint_float_above(longest * 256);
+    bvh->longest = cylint_float_above(longest);
+    bvh->least_step = cylint_float_above(fmax(longest * 0x1p-30, 0x1p-100));
 }
 
 static cylint_bvh_status store_nodes(cylint_bvh *bvh,
@@ -198,9 +199,9 @@ static cylint_bvh_status store_nodes(cylint_bvh *bvh,
         return CYLINT_BVH_EMEMORY;
     cylint_watch_step(input->watch, CYLINT_STEP_NODES, pieces);
     cylint_bvh_set_box(bvh, &bvh->box, input->view->line_error);
-    bvh->n_nodes =
-        cylint_build_nodes(bvh->node_memory.data, bvh->leaf_memory.data, pieces,
-                           bvh->center, input->threads, input->watch);
+    bvh->n_nodes = cylint_build_nodes(
+        bvh->node_memory.data, bvh->leaf_memory.data, pieces, bvh->center,
+        bvh->least_step, input->threads, input->watch);
     if (bvh->n_nodes == 0)
         return CYLINT_BVH_ESTOPPED;
     if (!cylint_memory_resize(&bvh->node_memory, input->source,

@@ -20,7 +20,8 @@ typedef struct cylint_bvh {
     float center[3];           /* of the box: the origin of nodes' corners */
     float pad;                 /* the error of each side of a box, beside 2^-19
                                   of the distance of the line's origin */
-    float near_distance;       /* origins within it are near the centre */
+    float longest;             /* side of the box */
+    float least_step;          /* of nodes */
 } cylint_bvh;
 
 /* The n shapes with the given numbers (NULL: numbers 0 to n - 1), the number of

@@ -158,7 +158,7 @@ static inline void start_line(ray_state *s, const cylint_bvh *bvh,
         o[j] = line->o[j] - (double)bvh->center[j];
         far += fabs(o[j]);
     }
-    if (!(far < (double)bvh->near_distance)) {
+    if (!(far < 256 * (double)bvh->longest)) {
         s->t0 = -cylint_dot(o, line->d) / cylint_dot(line->d, line->d);
         s->t0_error = 0x1p-51 * fabs(s->t0);
         o_error = 0x1p-49 * far;
@@ -175,15 +175,14 @@ static inline void start_line(ray_state *s, const cylint_bvh *bvh,
     shorten(s, line->tmax);
 }
 
-/* Whether the domain ends outside the box of all; S is its longest side. */
+/* Whether the domain ends outside the box of all. */
 static inline int ends_outside(const cylint_bvh *bvh,
                                const cylint_bvh_line *line)
 {
-    const double S = (double)bvh->near_distance / 256;
     int out = 0;
     EACH(j, 3)
         out |= fabs(line->o[j] - (double)bvh->center[j] +
-                    line->tmax * line->d[j]) > S;
+                    line->tmax * line->d[j]) > (double)bvh->longest;
     return out;
 }
 

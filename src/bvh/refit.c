@@ -106,7 +106,6 @@ static cylint_extent unmoved_box(const cylint_bvh *bvh, const cylint_view *view,
 static int serves(const cylint_bvh *bvh, const cylint_node *node,
                   const cylint_extent *moved, const cylint_extent *all)
 {
-    const float least_step = cylint_node_least_step(&bvh->box);
     int serves = 1;
     for (int j = 0; j < 3; j++) {
         const double corner = (double)node->corner[j] + (double)bvh->center[j];
@@ -115,7 +114,7 @@ static int serves(const cylint_bvh *bvh, const cylint_node *node,
         const double most = 255 * (double)node->step[j];
         serves &= (double)moved->lower[j] >= corner &&
                   to * (1 + 0x1p-48) <= most &&
-                  (node->step[j] <= least_step || 2 * side >= most);
+                  (node->step[j] <= bvh->least_step || 2 * side >= most);
     }
     return serves;
 }
@@ -162,8 +161,7 @@ static cylint_extent refit_node(const cylint_bvh *bvh, const cylint_view *view,
             box[i] = unmoved_box(bvh, view, node->child[i]);
         cylint_extent_include(&all, &box[i]);
     }
-    cylint_node_place(node, box, n, bvh->center,
-                      cylint_node_least_step(&bvh->box));
+    cylint_node_place(node, box, n, bvh->center, bvh->least_step);
     return all;
 }
 

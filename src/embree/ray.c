@@ -489,7 +489,7 @@ static unsigned near_first(const ray_test packet[], unsigned rays, unsigned N)
     if (!rays)
         return 0;
     const ray_test *first = &packet[cylint_lowest(rays)];
-    const double S = (double)first->data->bvh.near_distance / 256;
+    const double S = first->data->bvh.longest;
     EACH_BIT(k, rays) {
         const ray_test *r = &packet[k];
         double far = 0;
