@@ -53,8 +53,10 @@ typedef struct {
     numbered_chord *chord;
     size_t n, capacity; /* n counts those without room too */
     double complete;
-    /* of a search for the first pieces: how many are wanted */
+    /* of a search for the first pieces: how many are wanted, and whether chords
+     * that overlap or touch are expected to be one piece */
     size_t pieces;
+    int unites;
     double least_complete; /* `complete` is not reduced below this */
 } collector;
 
@@ -73,14 +75,17 @@ static double keep_chord(void *context, const cylint_found *found)
     return HUGE_VAL;
 }
 
-/* The end of piece number c->pieces of the union so far, or infinity. */
+/* Where piece number c->pieces is expected to end, by the chords so far, or
+ * infinity.  A piece begins with a chord that is behind those before or, unless
+ * these are united, ends behind them. */
 static double end_of_last_piece(const collector *c)
 {
     size_t pieces = 0;
     double end = -HUGE_VAL;
     for (size_t i = 0; i < c->n; i++) {
         const numbered_chord *x = &c->chord[i];
-        if ((i == 0 || cylint_less(end, x->t0)) && pieces++ == c->pieces)
+        const double from = c->unites ? x->t0 : x->t1;
+        if ((i == 0 || cylint_less(end, from)) && pieces++ == c->pieces)
             return end;
         if (cylint_less(end, x->t1))
             end = x->t1;
@@ -482,6 +487,8 @@ static size_t find_pieces(collector *c, sweep *s, cylint_workspace *work)
     const int are_few =
         s->capacity <= FEW_PIECES && s->rule->mode != CYLINT_PIECES_CHORDS;
     double least_complete = -HUGE_VAL;
+    c->unites =
+        s->rule->mode == CYLINT_PIECES_UNION || c->scene->solids.n_members > 0;
     c->chord = work->memory;
     c->capacity = work->bytes / (2 * sizeof *c->chord);
     if (!c->line->valid || s->capacity == 0)

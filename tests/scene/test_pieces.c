@@ -392,6 +392,29 @@ TEST(many_pieces_of_a_line_are_all_those_that_are_wanted)
     }
 }
 
+/* A search of the whole line would find more chords than the workspace holds. */
+TEST(the_first_pieces_in_shapes_that_touch_are_found_in_a_part_of_the_line)
+{
+    enum { DISCS = 1000, FEW = 4, CHORDS = 64 };
+    static cylint_shape disc[DISCS];
+    static cylint_interval memory[3 * CHORDS];
+    cylint_workspace work = {memory, sizeof memory, 0};
+    cylint_line line;
+    for (int i = 0; i < DISCS; i++)
+        cylint_cylinder(&disc[i], (double[]){i, 0, 0}, (double[]){i + 1, 0, 0},
+                        1, CYLINT_ENDS_CAPPED);
+    OWN_SCENE *scene = cylint_scene_new(disc, DISCS, 1, NULL);
+    cylint_ray(&line, (double[]){-5, 0.1, 0.2}, (double[]){1, 0, 0});
+    for (int mode = CYLINT_PIECES_OWNER; mode <= CYLINT_PIECES_CELLS; mode++)
+        for (size_t most = 1; most <= FEW; most++) {
+            const cylint_piece_rule rule = {.mode = mode};
+            cylint_piece piece[FEW];
+            if (CHECK(cylint_scene_pieces(scene, &line, &rule, piece, most,
+                                          &work) == most))
+                CHECK(piece[most - 1].shape == most - 1);
+        }
+}
+
 /* ---------------------------------------------------------------- sums -- */
 
 #ifdef HAVE_MPFR
