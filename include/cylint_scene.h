@@ -134,8 +134,9 @@ CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
  * neighbours: see cylint_scene_worsening().
  *
  * Uses one thread and, while it works, 4 to 32 bytes for each shape of the scene.
- * A few shapes that stay within the box of all cost least; if one leaves it, all
- * are bounded again.  No other thread may use the scene at the same time.
+ * A few shapes that stay within the box of all cost least; if one leaves it, or the
+ * box becomes much smaller, all are bounded again.  No other thread may use the
+ * scene at the same time.
  *
  * EUNFINISHED and EOPENED: not such a scene.  ESIZE: first + n is more than the
  * number of shapes.  EREPLACE: a shape is elliptic and the one before is not, or
@@ -147,11 +148,11 @@ CYLINT_API cylint_scene_status cylint_scene_refit(cylint_scene *scene,
                                                   size_t first, size_t n,
                                                   const cylint_shape *shapes);
 
-/* The mean number of boxes that a random line through the scene hits, divided by
- * that number before the first cylint_scene_refit(): 1 for a scene as it was built,
- * and for one that was opened, even if it was refitted before it was saved.
- * Where it is 2, a query takes up to about twice the time: make a new scene if many
- * queries follow. */
+/* The mean number of boxes that random lines through some boxes of the scene hit,
+ * divided by that number before the first cylint_scene_refit(): 1 for a scene as it
+ * was built, and for one that was opened, even if it was refitted before it was
+ * saved.  Where it is 2, a query takes up to about twice the time: make a new scene
+ * if many queries follow.  Takes some milliseconds. */
 CYLINT_API double cylint_scene_worsening(const cylint_scene *scene);
 
 /*

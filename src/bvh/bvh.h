@@ -71,9 +71,12 @@ void cylint_bvh_free(cylint_bvh *bvh);
 void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
                       uint32_t n, cylint_extent *extents);
 
-/* The mean number of boxes that a random line through the hierarchy's box hits:
- * the sum of their areas divided by that of their box [Goldsmith, Salmon 1987]. */
+/* The mean number of boxes that a traversal enters for a random line through the
+ * centre of one of them.  After a refit the same boxes are chosen again. */
 double cylint_bvh_cost(const cylint_bvh *bvh);
+
+/* The box of all shapes, as the nodes have it. */
+cylint_extent cylint_bvh_bounds(const cylint_bvh *bvh);
 
 /*
  * Whether the nodes and leaves form a tree as cylint_bvh_build() makes it: each is

@@ -116,6 +116,19 @@ TEST(moving_forth_and_back_adds_nothing_to_boxes)
     CHECK(back < 1.05);
 }
 
+/* While it is far away, floats of the hierarchy do not distinguish the others. */
+TEST(worsening_is_large_while_one_shape_is_far_away)
+{
+    static cylint_shape shapes[SHAPES];
+    const cylint_shape far = shape_of("sphere 1e9 0 0  1");
+    fill_row(shapes, SHAPES, 1);
+    OWN_SCENE *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
+    CHECK(cylint_scene_refit(scene, 7, 1, &far) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_worsening(scene) > 10);
+    CHECK(cylint_scene_refit(scene, 7, 1, &shapes[7]) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_worsening(scene) < 1.05);
+}
+
 /* All others are bounded again, also one that is alone in the last leaf. */
 TEST(one_shape_leaves_the_frame)
 {
