@@ -233,8 +233,8 @@ static size_t count_boxes(const cylint_bvh *bvh, const probe *line)
     return boxes;
 }
 
-/* Line number n goes through the centre of a box of some node.  Nodes and directions
- * are points of a sequence that fills a cube evenly [Roberts 2018]. */
+/* Line number n goes through the centre of a box of some node.  Nodes and
+ * directions are points of a sequence that fills a cube evenly [Roberts 2018]. */
 static probe probe_at(const cylint_bvh *bvh, int n)
 {
     static const double step[4] = {0.8566748838545029, 0.7338918566271260,

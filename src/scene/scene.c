@@ -88,27 +88,108 @@ static int choose_frame(cylint_scene *s)
     return cylint_frame_make(&s->frame, s->box.lo, s->box.hi);
 }
 
+/* A few shapes that are far from all others, or much larger, are beside the
+ * hierarchy: with them, its floats would not distinguish the others.  How many may
+ * be, at most one of SAMPLES; a distance in sizes of the box of half of the
+ * samples. */
+enum { SAMPLES = 64, MOST_DISTANT = 16, DISTANT = 1 << 13 };
+
+static int compare(const void *x, const void *y)
+{
+    const double a = *(const double *)x, b = *(const double *)y;
+    return (a > b) - (a < b);
+}
+
+/* Sets the box outside which shapes are distant. */
+static void load_samples(const cylint_scene *s, cylint_shapes_box *inner)
+{
+    double lo[3][SAMPLES], hi[3][SAMPLES], longest = 0;
+    size_t n = 0;
+    for (size_t i = 0; i < SAMPLES; i++) {
+        cylint_shapes_box own = CYLINT_NO_BOX;
+        cylint_shape shape;
+        cylint_record_data(&s->records, i * s->n / SAMPLES, &shape);
+        if (!cylint_extend_by_shape(&own, &shape))
+            continue;
+        for (int j = 0; j < 3; j++) {
+            lo[j][n] = own.lo[j];
+            hi[j][n] = own.hi[j];
+        }
+        n++;
+    }
+    for (int j = 0; j < 3 && n > 0; j++) {
+        qsort(lo[j], n, sizeof *lo[j], compare);
+        qsort(hi[j], n, sizeof *hi[j], compare);
+        inner->lo[j] = lo[j][n / 4];
+        inner->hi[j] = hi[j][n - 1 - n / 4];
+        longest = fmax(longest, inner->hi[j] - inner->lo[j]);
+    }
+    for (int j = 0; j < 3; j++) {
+        inner->lo[j] -= DISTANT * longest;
+        inner->hi[j] += DISTANT * longest;
+    }
+}
+
+static int lies_in(const cylint_shapes_box *box, const cylint_shapes_box *outer)
+{
+    int is = 1;
+    for (int j = 0; j < 3; j++)
+        is &= outer->lo[j] <= box->lo[j] && box->hi[j] <= outer->hi[j];
+    return is;
+}
+
+/* Sets the box of the shapes that shall be in the hierarchy: of all but a few, or
+ * all space. */
+static void choose_box(const cylint_scene *s, cylint_shapes_box *inner)
+{
+    static const cylint_shapes_box all = {
+        {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, 0};
+    const size_t part = s->n / SAMPLES,
+                 most = part < MOST_DISTANT ? part : MOST_DISTANT;
+    size_t distant = 0;
+    *inner = all;
+    if (most == 0)
+        return;
+    load_samples(s, inner);
+    if (lies_in(&s->box, inner))
+        return;
+    for (size_t i = 0; i < s->n && distant <= most; i++) {
+        cylint_shapes_box own = CYLINT_NO_BOX;
+        cylint_shape shape;
+        cylint_record_data(&s->records, i, &shape);
+        distant +=
+            cylint_extend_by_shape(&own, &shape) && !lies_in(&own, inner);
+    }
+    if (distant > most)
+        *inner = all;
+}
+
 /* Lists the numbers of the shapes in the hierarchy, unless all are, and behind them
- * those of the others.  A refused shape is in neither list: no line hits it.  In
- * another rounding mode than before more shapes may fit in a frame. */
+ * those of the others.  A refused shape is in neither list: no line hits it. */
 static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
 {
+    cylint_shapes_box inner;
     const int has_frame = choose_frame(s);
+    choose_box(s, &inner);
     s->n_bounded = s->n;
-    if (has_frame && s->box.n == s->n)
+    if (has_frame && s->box.n == s->n && lies_in(&s->box, &inner))
         return CYLINT_SCENE_OK;
     uint32_t *const number = allocate(s, s->n, sizeof *number);
     s->bounded = number;
     if (!number)
         return CYLINT_SCENE_EMEMORY;
     s->n_bounded = 0;
+    s->box = (cylint_shapes_box)CYLINT_NO_BOX;
     for (size_t i = 0; has_frame && i < s->n; i++) {
+        cylint_shapes_box own = CYLINT_NO_BOX;
         cylint_shape shape;
         if (!cylint_watch_item(watch, i))
             return CYLINT_SCENE_ESTOPPED;
         cylint_record_data(&s->records, i, &shape);
-        if (cylint_extend_by_shape(&s->box, &shape))
+        if (cylint_extend_by_shape(&own, &shape) && lies_in(&own, &inner)) {
+            extend_box(&s->box, &own);
             number[s->n_bounded++] = (uint32_t)i;
+        }
     }
     if (has_frame)
         choose_frame(s);

@@ -248,6 +248,28 @@ TEST(refused_solids_change_nothing)
     cylint_scene_free(c.scene);
 }
 
+static size_t bytes_with(cylint_shape *shapes, int distant, double distance)
+{
+    for (int i = 0; i < distant; i++)
+        cylint_sphere(&shapes[i * 7], (double[]){0, distance, i}, 0.5,
+                      CYLINT_ENDS_CAPPED);
+    OWN_SCENE *scene = cylint_scene_new(shapes, SHAPES, 1, NULL);
+    return cylint_scene_bytes(scene);
+}
+
+/* Where it takes more memory: one of 64 at most. */
+TEST(a_few_distant_shapes_are_beside_the_hierarchy)
+{
+    cylint_shape shapes[SHAPES];
+    for (int i = 0; i < SHAPES; i++)
+        cylint_sphere(&shapes[i], (double[]){i % 10, i / 10, 0}, 0.5,
+                      CYLINT_ENDS_CAPPED);
+    const size_t bytes = bytes_with(shapes, 0, 0);
+    CHECK(bytes_with(shapes, 4, 1e4) < bytes + 200);
+    CHECK(bytes_with(shapes, 4, 1e9) > bytes + 4 * 400);
+    CHECK(bytes_with(shapes, 5, 1e9) < bytes + 200);
+}
+
 struct pieces_call {
     const cylint_scene *scene;
     cylint_lines lines;

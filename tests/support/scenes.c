@@ -30,8 +30,9 @@ static cylint_ends any_ends(void)
 /* -------------------------------------------------------------- scenes -- */
 
 static const char *const scene_names[SCENE_KINDS] = {
-    "thin",    "fat",     "fibres",  "needles", "discs", "mixed", "unbounded",
-    "distant", "lengths", "lattice", "small",   "huge",  "round", "strands"};
+    "thin",  "fat",       "fibres",  "needles", "discs",
+    "mixed", "unbounded", "distant", "lengths", "lattice",
+    "small", "huge",      "round",   "strands", "strays"};
 
 /* Length and radius in multiples of the mean distance of neighbours. */
 static const double proportions[SCENE_KINDS][2] = {
@@ -165,6 +166,10 @@ static cylint_status draw_shape(enum scene_kind kind, size_t n,
                          : lattice_shape(n, 1, shape);
     case SCENE_STRANDS:
         return round_shape(at, 10, 0.02, shape);
+    case SCENE_STRAYS:
+        if (one_of(100) == 0)
+            scale3(at, power(3, 9));
+        return stick(at, 1, 0.1, shape);
     default:
         return stick(at, proportions[kind][0], proportions[kind][1], shape);
     }

@@ -34,6 +34,7 @@ enum scene_kind { /* the first six lie in a cube of side cbrt(n) about 0 */
                   SCENE_HUGE,
                   SCENE_ROUND,
                   SCENE_STRANDS,
+                  SCENE_STRAYS, /* a few shapes are far from the others */
                   SCENE_KINDS
 };
 
