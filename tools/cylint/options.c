@@ -75,7 +75,7 @@ static const char *const modes[] = {"owner", "union", "cells", "chords", NULL};
 static const char *const sums[] = {"label", "label:t", "total", "total:t",
                                    NULL};
 static const char *const names_of_shapes[] = {"number", "label", NULL};
-static const char *const accels[] = {"auto", "none", NULL};
+static const char *const accels[] = {"auto", "none", "embree", NULL};
 static const char *const bad_policies[] = {"mark", "skip", "stop", NULL};
 static const char *const lists[] = {"methods", "shapes", "columns", NULL};
 

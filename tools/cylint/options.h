@@ -9,7 +9,7 @@
 #include "grammar.h"
 
 /* Whether the hierarchy finds the shapes that a line hits. */
-enum accel { ACCEL_AUTO, ACCEL_NONE };
+enum accel { ACCEL_AUTO, ACCEL_NONE, ACCEL_EMBREE }; /* EMBREE: as AUTO */
 
 enum bad_policy { BAD_MARK, BAD_SKIP, BAD_STOP };
 
