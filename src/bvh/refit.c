@@ -1,7 +1,7 @@
 /*
  * refit.c - adapts a bounding volume hierarchy to shapes that have moved
  */
-#include "bvh.h"
+#include "traverse.h"
 
 #include <math.h>
 
@@ -190,19 +190,15 @@ void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
 
 /* ------------------------------------------------------------------ cost -- */
 
-/* A line through p in direction d. */
-typedef struct {
-    double p[3], d[3];
-} probe;
-
 /* As a traversal does, which allows for errors of floats (ray.h). */
-static int may_hit(const probe *line, const cylint_extent *box, double longest)
+static int may_hit(const cylint_bvh_line *line, const cylint_extent *box,
+                   double longest)
 {
     const double error = 0x1p-18 * longest;
-    double from = -HUGE_VAL, to = HUGE_VAL;
+    double from = line->tmin, to = line->tmax;
     for (int j = 0; j < 3; j++) {
-        const double lower = (double)box->lower[j] - error - line->p[j],
-                     upper = (double)box->upper[j] + error - line->p[j],
+        const double lower = (double)box->lower[j] - error - line->o[j],
+                     upper = (double)box->upper[j] + error - line->o[j],
                      d = line->d[j];
         if (d < 0 || d > 0) {
             from = fmax(from, (d > 0 ? lower : upper) / d);
@@ -215,7 +211,7 @@ static int may_hit(const probe *line, const cylint_extent *box, double longest)
 }
 
 /* How many boxes below a node the line hits. */
-static size_t count_boxes(const cylint_bvh *bvh, const probe *line)
+static size_t count_boxes(const cylint_bvh *bvh, const cylint_bvh_line *line)
 {
     uint32_t stack[CYLINT_STACK_SIZE] = {0};
     size_t boxes = 0;
@@ -235,18 +231,18 @@ static size_t count_boxes(const cylint_bvh *bvh, const probe *line)
 
 /* Line number n goes through the centre of a box of some node.  Nodes and
  * directions are points of a sequence that fills a cube evenly [Roberts 2018]. */
-static probe probe_at(const cylint_bvh *bvh, int n)
+static cylint_bvh_line line_at(const cylint_bvh *bvh, int n)
 {
     static const double step[4] = {0.8566748838545029, 0.7338918566271260,
                                    0.6287067210378087, 0.5385972572236101};
     double at[4];
-    probe line;
+    cylint_bvh_line line = {.tmin = -HUGE_VAL, .tmax = HUGE_VAL};
     for (int j = 0; j < 4; j++)
         at[j] = n * step[j] - floor(n * step[j]);
     const cylint_extent box =
         child_box(bvh, &bvh->nodes[(size_t)(at[3] * (double)bvh->n_nodes)], 0);
     for (int j = 0; j < 3; j++) {
-        line.p[j] = ((double)box.lower[j] + (double)box.upper[j]) / 2;
+        line.o[j] = ((double)box.lower[j] + (double)box.upper[j]) / 2;
         line.d[j] = at[j] - 0.5;
     }
     return line;
@@ -259,7 +255,7 @@ double cylint_bvh_cost(const cylint_bvh *bvh)
     size_t sum = 0;
     int n = 0;
     while (bvh->n_nodes > 0 && n < LINES && sum < BOXES) {
-        const probe line = probe_at(bvh, n++);
+        const cylint_bvh_line line = line_at(bvh, n++);
         sum += count_boxes(bvh, &line);
     }
     return n > 0 ? (double)sum / n : 0;
