@@ -94,16 +94,15 @@ static int choose_frame(cylint_scene *s)
  * samples. */
 enum { SAMPLES = 64, MOST_DISTANT = 16, DISTANT = 1 << 13 };
 
-static int compare(const void *x, const void *y)
-{
-    const double a = *(const double *)x, b = *(const double *)y;
-    return (a > b) - (a < b);
-}
+#define SORTED double
+#define IS_BEFORE(x, y) cylint_less(*(x), *(y))
+#define SORT sort_samples
+#include "../merge_sort_template.h"
 
 /* Sets the box outside which shapes are distant. */
 static void load_samples(const cylint_scene *s, cylint_shapes_box *inner)
 {
-    double lo[3][SAMPLES], hi[3][SAMPLES], longest = 0;
+    double lo[3][SAMPLES], hi[3][SAMPLES], spare[SAMPLES], longest = 0;
     size_t n = 0;
     for (size_t i = 0; i < SAMPLES; i++) {
         cylint_shapes_box own = CYLINT_NO_BOX;
@@ -118,8 +117,8 @@ static void load_samples(const cylint_scene *s, cylint_shapes_box *inner)
         n++;
     }
     for (int j = 0; j < 3 && n > 0; j++) {
-        qsort(lo[j], n, sizeof *lo[j], compare);
-        qsort(hi[j], n, sizeof *hi[j], compare);
+        sort_samples(lo[j], n, spare);
+        sort_samples(hi[j], n, spare);
         inner->lo[j] = lo[j][n / 4];
         inner->hi[j] = hi[j][n - 1 - n / 4];
         longest = fmax(longest, inner->hi[j] - inner->lo[j]);
@@ -142,7 +141,7 @@ static int lies_in(const cylint_shapes_box *box, const cylint_shapes_box *outer)
  * all space. */
 static void choose_box(const cylint_scene *s, cylint_shapes_box *inner)
 {
-    static const cylint_shapes_box all = {
+    const cylint_shapes_box all = {
         {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, 0};
     const size_t part = s->n / SAMPLES,
                  most = part < MOST_DISTANT ? part : MOST_DISTANT;
