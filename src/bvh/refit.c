@@ -231,7 +231,7 @@ static size_t count_boxes(const cylint_bvh *bvh, const cylint_bvh_line *line)
 
 /* Line number n goes through the centre of a box of some node.  Nodes and
  * directions are points of a sequence that fills a cube evenly [Roberts 2018]. */
-static cylint_bvh_line line_at(const cylint_bvh *bvh, int n)
+static cylint_bvh_line probe_at(const cylint_bvh *bvh, int n)
 {
     static const double step[4] = {0.8566748838545029, 0.7338918566271260,
                                    0.6287067210378087, 0.5385972572236101};
@@ -255,7 +255,7 @@ double cylint_bvh_cost(const cylint_bvh *bvh)
     size_t sum = 0;
     int n = 0;
     while (bvh->n_nodes > 0 && n < LINES && sum < BOXES) {
-        const cylint_bvh_line line = line_at(bvh, n++);
+        const cylint_bvh_line line = probe_at(bvh, n++);
         sum += count_boxes(bvh, &line);
     }
     return n > 0 ? (double)sum / n : 0;
