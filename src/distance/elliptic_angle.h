@@ -149,7 +149,8 @@ static inline principal_axes axes_of(double xx, double xy, double yy)
 }
 
 /* cos and sin for A X / B^2 and Y / B, and A^2 / B^2 - 1.  The iteration ends after
- * a relative step of `last`. */
+ * a relative step of `last`.  NaN for a point on the long axis with two nearest
+ * points: sqrt() of a NaN would set errno under Windows. */
 static inline angle secular_angle(double along, double across, double excess,
                                   double last)
 {
@@ -157,6 +158,8 @@ static inline angle secular_angle(double along, double across, double excess,
     /* mutant '>' -> '>=': no effect */
     double s = v > u - excess ? v : u - excess, by;
     angle to;
+    if (!(s > 0))
+        return (angle){NAN, NAN};
     for (int i = 0; i < CYLINT_SECULAR_STEPS; i++) {
         const double to_u = 1 / (s + excess), to_v = 1 / s;
         const double a = u * to_u * (u * to_u), b = v * to_v * (v * to_v);
@@ -275,6 +278,8 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                                   : CYLINT_ANGLE_STEP;
     const angle e = secular_angle(ratio * long_way / r, short_way / r,
                                   axes.gap / axes.least, last);
+    if (isnan(e.cos))
+        return 0;
     *at = highest_of(&axes, e, p);
     double by = is_cone ? 1 : 0;
     for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
