@@ -143,7 +143,8 @@ CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
  * number of shapes.  EREPLACE: a shape is elliptic and the one before is not, or
  * the reverse; the constructor refused one of them, not the other; or a shape is
  * unbounded or has points beyond 2^400 (some shapes: 2^398), and the one with which
- * the scene was made has not.  A failure, EMEMORY too, changes nothing.
+ * the scene was made is in the hierarchy (cylint_scene_finish()).  A failure,
+ * EMEMORY too, changes nothing.
  */
 CYLINT_API cylint_scene_status cylint_scene_refit(cylint_scene *scene,
                                                   size_t first, size_t n,
