@@ -190,11 +190,10 @@ void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
 
 /* ------------------------------------------------------------------ cost -- */
 
-/* As a traversal does, which allows for errors of floats (ray.h). */
+/* As a traversal does: error is what it allows for errors of floats. */
 static int may_hit(const cylint_bvh_line *line, const cylint_extent *box,
-                   double longest)
+                   double error)
 {
-    const double error = 0x1p-18 * longest;
     double from = line->tmin, to = line->tmax;
     for (int j = 0; j < 3; j++) {
         const double lower = (double)box->lower[j] - error - line->o[j],
@@ -213,13 +212,14 @@ static int may_hit(const cylint_bvh_line *line, const cylint_extent *box,
 /* How many boxes below a node the line hits. */
 static size_t count_boxes(const cylint_bvh *bvh, const cylint_bvh_line *line)
 {
+    const double error = 2 * (double)bvh->pad; /* the origin is in the box */
     uint32_t stack[CYLINT_STACK_SIZE] = {0};
     size_t boxes = 0;
     for (int n = bvh->n_nodes > 0; n > 0;) {
         const cylint_node *node = &bvh->nodes[stack[--n]];
         for (int k = 0; k < CYLINT_CHILDREN && node->children >> k; k++) {
             const cylint_extent box = child_box(bvh, node, k);
-            if (!may_hit(line, &box, (double)bvh->longest))
+            if (!may_hit(line, &box, error))
                 continue;
             boxes++;
             if (!(node->child[k] & CYLINT_LEAF_FLAG))

@@ -94,6 +94,16 @@ static int choose_frame(cylint_scene *s)
  * samples. */
 enum { SAMPLES = 64, MOST_DISTANT = 16, DISTANT = 1 << 13 };
 
+/* Sets the box of one shape.  Returns 0 if no frame can contain it. */
+static int load_box(const cylint_scene *s, size_t number,
+                    cylint_shapes_box *own)
+{
+    cylint_shape shape;
+    *own = (cylint_shapes_box)CYLINT_NO_BOX;
+    cylint_record_data(&s->records, number, &shape);
+    return cylint_extend_by_shape(own, &shape);
+}
+
 #define SORTED double
 #define IS_BEFORE(x, y) cylint_less(*(x), *(y))
 #define SORT sort_samples
@@ -105,10 +115,8 @@ static void load_samples(const cylint_scene *s, cylint_shapes_box *inner)
     double lo[3][SAMPLES], hi[3][SAMPLES], spare[SAMPLES], longest = 0;
     size_t n = 0;
     for (size_t i = 0; i < SAMPLES; i++) {
-        cylint_shapes_box own = CYLINT_NO_BOX;
-        cylint_shape shape;
-        cylint_record_data(&s->records, i * s->n / SAMPLES, &shape);
-        if (!cylint_extend_by_shape(&own, &shape))
+        cylint_shapes_box own;
+        if (!load_box(s, i * s->n / SAMPLES, &own))
             continue;
         for (int j = 0; j < 3; j++) {
             lo[j][n] = own.lo[j];
@@ -153,11 +161,8 @@ static void choose_box(const cylint_scene *s, cylint_shapes_box *inner)
     if (lies_in(&s->box, inner))
         return;
     for (size_t i = 0; i < s->n && distant <= most; i++) {
-        cylint_shapes_box own = CYLINT_NO_BOX;
-        cylint_shape shape;
-        cylint_record_data(&s->records, i, &shape);
-        distant +=
-            cylint_extend_by_shape(&own, &shape) && !lies_in(&own, inner);
+        cylint_shapes_box own;
+        distant += load_box(s, i, &own) && !lies_in(&own, inner);
     }
     if (distant > most)
         *inner = all;
@@ -180,12 +185,10 @@ static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
     s->n_bounded = 0;
     s->box = (cylint_shapes_box)CYLINT_NO_BOX;
     for (size_t i = 0; has_frame && i < s->n; i++) {
-        cylint_shapes_box own = CYLINT_NO_BOX;
-        cylint_shape shape;
+        cylint_shapes_box own;
         if (!cylint_watch_item(watch, i))
             return CYLINT_SCENE_ESTOPPED;
-        cylint_record_data(&s->records, i, &shape);
-        if (cylint_extend_by_shape(&own, &shape) && lies_in(&own, &inner)) {
+        if (load_box(s, i, &own) && lies_in(&own, &inner)) {
             extend_box(&s->box, &own);
             number[s->n_bounded++] = (uint32_t)i;
         }
