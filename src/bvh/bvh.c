@@ -299,6 +299,30 @@ cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
     return status;
 }
 
+size_t cylint_bvh_rank(cylint_bvh *bvh, size_t n, uint32_t *number,
+                       uint32_t *rank)
+{
+    cylint_leaf *const leaves = bvh->leaf_memory.data;
+    uint32_t next = 0;
+    memset(rank, 0xff, n * sizeof *rank); /* UINT32_MAX: none yet */
+    for (size_t i = 0; i < bvh->n_leaves; i++)
+        for (int lane = 0; lane < cylint_leaf_used(&leaves[i]); lane++) {
+            uint32_t *const at = &leaves[i].number[lane];
+            if (rank[*at] == UINT32_MAX) {
+                number[next] = *at;
+                rank[*at] = next++;
+            }
+            *at = rank[*at];
+        }
+    const size_t in_leaves = next;
+    for (uint32_t i = 0; next < n; i++)
+        if (rank[i] == UINT32_MAX) {
+            number[next] = i;
+            rank[i] = next++;
+        }
+    return in_leaves;
+}
+
 void cylint_bvh_free(cylint_bvh *bvh)
 {
     cylint_memory_free(&bvh->node_memory);

@@ -54,6 +54,13 @@ cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
                                    const cylint_bvh_input *input,
                                    size_t *refused);
 
+/* Ranks shapes 0 to n - 1 in the order in which leaves first name them, then those
+ * in no leaf: number[] of each rank, rank[] of each number.  Replaces the numbers
+ * in the leaves, which no query uses yet, by ranks.  Returns how many are in
+ * leaves. */
+size_t cylint_bvh_rank(cylint_bvh *bvh, size_t n, uint32_t *number,
+                       uint32_t *rank);
+
 /* Sets the members that follow from the box. */
 void cylint_bvh_set_box(cylint_bvh *bvh, const cylint_extent *box,
                         double line_error);

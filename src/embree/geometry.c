@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../bvh/distant.h"
 #include "../bvh/float_bounds.h"
 #include "../dispatch.h"
 #include "geometry.h"
@@ -153,39 +154,6 @@ static int check_shapes(cylint_embree_data *data,
     return CYLINT_EMBREE_OK;
 }
 
-/* Ranks the shapes in the order in which leaves first name them: so records of
- * shapes that are together in leaves are together in memory.  Replaces the numbers
- * in the leaves, which no query uses yet, by ranks.  Returns 0 if memory is
- * refused. */
-static int rank_by_leaves(cylint_embree_data *data)
-{
-    const size_t n = data->n;
-    if (!cylint_memory_allocate(&data->order_memory, &data->source,
-                                (data->is_merged ? 3 : 2) * n *
-                                    sizeof(uint32_t)))
-        return 0;
-    uint32_t *number = data->order_memory.data, *rank = number + n, next = 0;
-    uint32_t *array = data->is_merged ? rank + n : NULL;
-    memset(rank, 0xff, n * sizeof *rank); /* UINT32_MAX: none yet */
-    for (size_t i = 0; i < data->bvh.n_leaves; i++) {
-        cylint_leaf *leaf = (cylint_leaf *)&data->bvh.leaves[i];
-        for (int lane = 0; lane < cylint_leaf_used(leaf); lane++) {
-            uint32_t *here = &rank[leaf->number[lane]];
-            if (*here == UINT32_MAX) {
-                number[next] = leaf->number[lane];
-                *here = next++;
-            }
-            leaf->number[lane] = *here;
-        }
-    }
-    for (size_t i = 0; i < n && array; i++)
-        array[i] = (uint32_t)cylint_embree_array_at(data, 0, number[i]);
-    data->number = number;
-    data->rank = rank;
-    data->array = array;
-    return 1;
-}
-
 static int build_bvh(cylint_embree_data *data, const cylint_bvh_input *input,
                      cylint_embree_problem *problem)
 {
@@ -197,6 +165,51 @@ static int build_bvh(cylint_embree_data *data, const cylint_bvh_input *input,
                   : status == CYLINT_BVH_ESHAPE ? CYLINT_EMBREE_ESHAPE
                                                 : CYLINT_EMBREE_EMEMORY,
                   shape);
+}
+
+/* Ranks the shapes in the order in which leaves first name them: so records of
+ * shapes that are together in leaves are together in memory. */
+static void rank_by_leaves(cylint_embree_data *data)
+{
+    const size_t n = data->n;
+    uint32_t *const number = data->order_memory.data, *const rank = number + n;
+    uint32_t *const array = data->is_merged ? rank + n : NULL;
+    data->n_in_leaves = cylint_bvh_rank(&data->bvh, n, number, rank);
+    for (size_t i = 0; i < n && array; i++)
+        array[i] = (uint32_t)cylint_embree_array_at(data, 0, number[i]);
+    data->number = number;
+    data->rank = rank;
+    data->array = array;
+}
+
+/* Builds the hierarchy of all shapes, or again of all but a few. */
+static int build(cylint_embree_data *data, cylint_bvh_input from,
+                 cylint_embree_problem *problem)
+{
+    const size_t bytes = data->n * sizeof(uint32_t);
+    int status = build_bvh(data, &from, problem);
+    const cylint_extent all = data->bvh.box;
+    cylint_shapes_box inner, box = {.n = data->n};
+    if (status != CYLINT_EMBREE_OK || data->n == 0)
+        return status;
+    if (!cylint_memory_allocate(&data->order_memory, &data->source,
+                                data->is_merged ? 3 * bytes : 2 * bytes))
+        return report(problem, CYLINT_EMBREE_EMEMORY, 0);
+    EACH(j, 3) {
+        box.lo[j] = (double)all.lower[j];
+        box.hi[j] = (double)all.upper[j];
+    }
+    if (!cylint_choose_box(&inner, from.view, data->n, &box)) {
+        from.numbers = data->order_memory.data;
+        from.n = cylint_list_near(from.view, data->n, &inner, NULL,
+                                  data->order_memory.data, &box);
+        cylint_bvh_free(&data->bvh);
+        status = build_bvh(data, &from, problem);
+        data->bvh.box = all;
+    }
+    if (status == CYLINT_EMBREE_OK)
+        rank_by_leaves(data);
+    return status;
 }
 
 /* Frees what was computed from the shapes. */
@@ -222,12 +235,11 @@ static int compute_state(cylint_embree_data *data,
                              .source = &data->source};
     int status = check_arrays(data, problem);
     if (status == CYLINT_EMBREE_OK)
-        status = data->traversal ? build_bvh(data, &from, problem)
+        status = data->traversal ? build(data, from, problem)
                                  : check_shapes(data, problem);
     if (status != CYLINT_EMBREE_OK || data->n == 0)
         return status;
-    int has_memory = (!data->traversal || rank_by_leaves(data)) &&
-                     cylint_embree_shapes_copy(&data->shapes[0], &from);
+    int has_memory = cylint_embree_shapes_copy(&data->shapes[0], &from);
     from.view = &moved;
     if (has_memory && data->options.moved)
         has_memory = cylint_embree_shapes_copy(&data->shapes[1], &from);

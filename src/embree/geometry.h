@@ -72,9 +72,11 @@ typedef struct cylint_embree_data {
     cylint_float_filter *filter[2];    /* for one question, and for several */
     cylint_packet_trace *trace_packet;
     double pad;     /* added to each side of Embree's boxes: box_pad() */
-    cylint_bvh bvh; /* its box only, if each shape is a primitive */
+    cylint_bvh bvh; /* its box is that of all shapes, with or without nodes */
     /* Leaves name shapes by rank, in the order in which leaves first name
-     * them; `shapes` have the same order.  Without leaves, ranks are numbers. */
+     * them; `shapes` have the same order.  Without leaves, ranks are numbers.
+     * The shapes from rank n_in_leaves on are beside the hierarchy. */
+    size_t n_in_leaves;
     cylint_embree_shapes shapes[2]; /* at times 0 and 1 */
     cylint_memory order_memory;
     const uint32_t *number, *rank; /* of each rank, of each number, or NULL */

@@ -393,11 +393,11 @@ static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
     return 0;
 }
 
-static void test_primitive(ray_test *r)
+static void test_shape(ray_test *r, unsigned rank)
 {
     const cylint_embree_shapes *s = r->data->shapes;
     double along = 0, dd = 0;
-    r->rank = r->args->primID;
+    r->rank = rank;
     set_question(r, s->tag[r->rank] / CYLINT_TAG_ENDS,
                  (cylint_shape_piece){0, 1});
     if (r->data->options.moved)
@@ -411,16 +411,27 @@ static void test_primitive(ray_test *r)
     end_test(r);
 }
 
-/* Traces the ray alone.  Returns `found`. */
-static int trace_single(ray_test *r)
+/* Tests the shapes beside the hierarchy, or the shape that is the primitive.
+ * Returns whether the ray needs no other test. */
+static int test_others(ray_test *r)
 {
-    const cylint_traversal *traversal = r->data->traversal;
-    if (!traversal)
-        test_primitive(r);
-    else if (traversal->line(&r->data->bvh, &r->q.line, test_lanes, r,
-                             r->any && has_flag(r, CYLINT_EMBREE_NO_FILTERS)))
+    const cylint_embree_data *data = r->data;
+    const int is_one = !data->traversal;
+    size_t rank = is_one ? r->args->primID : data->n_in_leaves;
+    for (const size_t end = is_one ? rank + 1 : data->n; rank < end; rank++) {
+        test_shape(r, (unsigned)rank);
+        if (r->found && r->any)
+            return 1;
+    }
+    return is_one;
+}
+
+static void trace_single(ray_test *r)
+{
+    if (r->data->traversal->line(&r->data->bvh, &r->q.line, test_lanes, r,
+                                 r->any &&
+                                     has_flag(r, CYLINT_EMBREE_NO_FILTERS)))
         cylint_record_any(r);
-    return r->found;
 }
 
 /* --------------------------------------------------------------- packets -- */
@@ -482,7 +493,7 @@ unsigned cylint_packet_test(ray_test packet[], const cylint_leaf *leaf,
 
 /* Of the rays those that go into the octant of the first one and begin near it,
  * within 1/8 of the longest side S of the hierarchy's box, if they are enough, or
- * else none: fewer often share an octant by chance.  Without a hierarchy S is 0. */
+ * else none: fewer often share an octant by chance. */
 static unsigned near_first(const ray_test packet[], unsigned rays, unsigned N)
 {
     unsigned near = 0, n = 0;
@@ -512,7 +523,7 @@ static void trace_packet(const call *a, int any)
     const int certain = any && data->options.flags & CYLINT_EMBREE_NO_FILTERS;
     const unsigned n = any ? RAY_WORDS : RAY_WORDS + HIT_WORDS;
     float *const words = (float *)a->rayhit;
-    unsigned all = 0, open, together;
+    unsigned all = 0, open = 0, together;
     ray_test packet[CYLINT_PACKET_MOST];
     for (unsigned i = 0; i < a->N; i++) {
         struct RTCRayHit *one = &packet[i].copy;
@@ -521,11 +532,13 @@ static void trace_packet(const call *a, int any)
         one->hit = (struct RTCHit){0};
         copy_words(one, 1, words + i, a->N, n);
         set_valid(a->valid, i, 0);
-        if (start_test(&packet[i], a, any, &one->ray, &one->hit))
-            all |= 1u << i;
+        if (!start_test(&packet[i], a, any, &one->ray, &one->hit))
+            continue;
+        all |= 1u << i;
+        if (!test_others(&packet[i]))
+            open |= 1u << i;
     }
-    for (open = all; (together = near_first(packet, open, a->N));
-         open &= ~together)
+    for (; (together = near_first(packet, open, a->N)); open &= ~together)
         data->trace_packet(packet, together, certain);
     EACH_BIT(i, open)
         trace_single(&packet[i]);
@@ -543,12 +556,15 @@ CYLINT_INLINE void trace(const call *a, int any)
     struct RTCRayHit *one = (void *)a->rayhit; /* or the ray alone */
     struct RTCHit none = {0};
     ray_test r;
-    if (a->N > 1)
+    if (a->N > 1) {
         trace_packet(a, any);
-    else
-        set_valid(a->valid, 0,
-                  start_test(&r, a, any, &one->ray, any ? &none : &one->hit) &&
-                      trace_single(&r));
+        return;
+    }
+    const int is_line =
+        start_test(&r, a, any, &one->ray, any ? &none : &one->hit);
+    if (is_line && !test_others(&r))
+        trace_single(&r);
+    set_valid(a->valid, 0, r.found);
 }
 
 void cylint_embree_intersect_callback(

@@ -28,8 +28,8 @@ int cylint_frame_make(cylint_frame *frame, const double lo[3],
         half[j] = fmax(hi[j] - c, c - lo[j]);
     }
     const double size = cylint_largest(half);
-    if (!is_box || !(cylint_largest(lo) <= CYLINT_FRAME_MOST) ||
-        !(cylint_largest(hi) <= CYLINT_FRAME_MOST) ||
+    if (!is_box || !(cylint_largest(lo) <= CYLINT_BOX_MOST) ||
+        !(cylint_largest(hi) <= CYLINT_BOX_MOST) ||
         !(size >= CYLINT_FRAME_LEAST))
         return 0;
     frexp(size, &e);
@@ -95,8 +95,8 @@ cylint_frame_status cylint_frame_line(const cylint_frame *frame,
     if (!line->valid)
         return CYLINT_FRAME_MISSED;
     const double size = cylint_largest(line->d);
-    if (!(size <= CYLINT_FRAME_MOST) || !(size >= CYLINT_FRAME_LEAST) ||
-        !(cylint_largest(line->o) <= CYLINT_FRAME_MOST) ||
+    if (!(size <= CYLINT_BOX_MOST) || !(size >= CYLINT_FRAME_LEAST) ||
+        !(cylint_largest(line->o) <= CYLINT_BOX_MOST) ||
         is_too_oblique(line->d, size) || !cylint_rounds_to_nearest())
         return CYLINT_FRAME_UNUSABLE;
     clip(frame, line, size, &ray->entry, &to);

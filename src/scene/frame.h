@@ -8,6 +8,7 @@
 #ifndef CYLINT_SCENE_FRAME_H
 #define CYLINT_SCENE_FRAME_H
 
+#include "../bvh/distant.h"
 #include "../bvh/traverse.h"
 
 /* A box of the caller's, and the view of the scene's shapes in which it lies within
@@ -17,9 +18,7 @@ typedef struct {
     cylint_view view;
 } cylint_frame;
 
-/* Larger coordinates and smaller boxes have no frame, so that nothing overflows
- * or underflows. */
-#define CYLINT_FRAME_MOST 0x1p400
+/* Smaller boxes have no frame, so that nothing underflows. */
 #define CYLINT_FRAME_LEAST 0x1p-400
 
 /* The part of a line within the frame: o + s d, 0 <= s <= tmax, where

@@ -68,8 +68,8 @@ static int make_frame(const cylint_scene *s, double lo[3], double hi[3],
 {
     const double room = fmax(longest_side(lo, hi) / 16, CYLINT_FRAME_LEAST);
     for (int j = 0; j < 3; j++) {
-        lo[j] = fmax(lo[j] - room, -CYLINT_FRAME_MOST);
-        hi[j] = fmin(hi[j] + room, CYLINT_FRAME_MOST);
+        lo[j] = fmax(lo[j] - room, -CYLINT_BOX_MOST);
+        hi[j] = fmin(hi[j] + room, CYLINT_BOX_MOST);
     }
     cylint_frame_round_box(lo, hi);
     *frame = s->frame; /* for the shapes of its view */

@@ -1,7 +1,6 @@
 /*
  * scene.c - makes a scene: its records, its frame and its hierarchy
  */
-#include <float.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -36,42 +35,6 @@ const char *cylint_scene_strerror(int status)
 
 /* ------------------------------------------------------------ building -- */
 
-static void extend_box(cylint_shapes_box *box, const cylint_shapes_box *by)
-{
-    for (int j = 0; j < 3; j++) {
-        box->lo[j] = fmin(box->lo[j], by->lo[j]);
-        box->hi[j] = fmax(box->hi[j], by->hi[j]);
-    }
-    box->n += by->n;
-}
-
-/* Each number has at most 6 roundings and errors of its data.  A larger factor is
- * refused: squares of lengths may underflow later, and it would multiply what that
- * loses. */
-int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
-{
-    cylint_shapes_box own = {.n = 1};
-    if (!cylint_is_bounded(s) ||
-        (cylint_has_factors(s->kind) && cylint_r1(s) > CYLINT_FRAME_MOST))
-        return 0;
-    for (int j = 0; j < 3; j++) {
-        const double bottom = cylint_rough_reach(s, 0, j),
-                     top = cylint_rough_reach(s, 1, j);
-        const double base = cylint_base(s)[j], end = base + cylint_axis(s)[j];
-        const double margin =
-            DBL_MIN +
-            0x1p-50 * (fabs(base) + fabs(cylint_axis(s)[j]) + bottom + top);
-        own.lo[j] = fmin(base - bottom, end - top) - margin;
-        own.hi[j] = fmax(base + bottom, end + top) + margin;
-        if (!(own.lo[j] >= -CYLINT_FRAME_MOST &&
-              own.hi[j] <= CYLINT_FRAME_MOST))
-            return 0;
-    }
-    if (box)
-        extend_box(box, &own);
-    return 1;
-}
-
 static void *allocate(cylint_scene *s, size_t count, size_t size)
 {
     s->own_bytes += count * size;
@@ -88,84 +51,12 @@ static int choose_frame(cylint_scene *s)
     return cylint_frame_make(&s->frame, s->box.lo, s->box.hi);
 }
 
-/* A few shapes that are far from all others, or much larger, are beside the
- * hierarchy: with them, its floats would not distinguish the others.  How many may
- * be, at most one of SAMPLES; a distance in sizes of the box of half of the
- * samples. */
-enum { SAMPLES = 64, MOST_DISTANT = 16, DISTANT = 1 << 13 };
-
-/* Sets the box of one shape.  Returns 0 if no frame can contain it. */
-static int load_box(const cylint_scene *s, size_t number,
-                    cylint_shapes_box *own)
+static const cylint_shape *data_at(const void *owner, uint32_t number,
+                                   cylint_shape *shape)
 {
-    cylint_shape shape;
-    *own = (cylint_shapes_box)CYLINT_NO_BOX;
-    cylint_record_data(&s->records, number, &shape);
-    return cylint_extend_by_shape(own, &shape);
-}
-
-#define SORTED double
-#define IS_BEFORE(x, y) cylint_less(*(x), *(y))
-#define SORT sort_samples
-#include "../merge_sort_template.h"
-
-/* Sets the box outside which shapes are distant. */
-static void load_samples(const cylint_scene *s, cylint_shapes_box *inner)
-{
-    double lo[3][SAMPLES], hi[3][SAMPLES], spare[SAMPLES], longest = 0;
-    size_t n = 0;
-    for (size_t i = 0; i < SAMPLES; i++) {
-        cylint_shapes_box own;
-        if (!load_box(s, i * s->n / SAMPLES, &own))
-            continue;
-        for (int j = 0; j < 3; j++) {
-            lo[j][n] = own.lo[j];
-            hi[j][n] = own.hi[j];
-        }
-        n++;
-    }
-    for (int j = 0; j < 3 && n > 0; j++) {
-        sort_samples(lo[j], n, spare);
-        sort_samples(hi[j], n, spare);
-        inner->lo[j] = lo[j][n / 4];
-        inner->hi[j] = hi[j][n - 1 - n / 4];
-        longest = fmax(longest, inner->hi[j] - inner->lo[j]);
-    }
-    for (int j = 0; j < 3; j++) {
-        inner->lo[j] -= DISTANT * longest;
-        inner->hi[j] += DISTANT * longest;
-    }
-}
-
-static int lies_in(const cylint_shapes_box *box, const cylint_shapes_box *outer)
-{
-    int is = 1;
-    for (int j = 0; j < 3; j++)
-        is &= outer->lo[j] <= box->lo[j] && box->hi[j] <= outer->hi[j];
-    return is;
-}
-
-/* Sets the box of the shapes that shall be in the hierarchy: of all but a few, or
- * all space. */
-static void choose_box(const cylint_scene *s, cylint_shapes_box *inner)
-{
-    const cylint_shapes_box all = {
-        {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, HUGE_VAL, HUGE_VAL}, 0};
-    const size_t part = s->n / SAMPLES,
-                 most = part < MOST_DISTANT ? part : MOST_DISTANT;
-    size_t distant = 0;
-    *inner = all;
-    if (most == 0)
-        return;
-    load_samples(s, inner);
-    if (lies_in(&s->box, inner))
-        return;
-    for (size_t i = 0; i < s->n && distant <= most; i++) {
-        cylint_shapes_box own;
-        distant += load_box(s, i, &own) && !lies_in(&own, inner);
-    }
-    if (distant > most)
-        *inner = all;
+    const cylint_scene *s = owner;
+    cylint_record_data(&s->records, number, shape);
+    return shape;
 }
 
 /* Lists the numbers of the shapes in the hierarchy, unless all are, and behind them
@@ -173,28 +64,24 @@ static void choose_box(const cylint_scene *s, cylint_shapes_box *inner)
 static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
 {
     cylint_shapes_box inner;
-    const int has_frame = choose_frame(s);
-    choose_box(s, &inner);
+    const cylint_view view = {.shape_at = data_at, .owner = s};
+    const int has_frame = choose_frame(s),
+              all_near = cylint_choose_box(&inner, &view, s->n, &s->box);
     s->n_bounded = s->n;
-    if (has_frame && s->box.n == s->n && lies_in(&s->box, &inner))
+    if (has_frame && s->box.n == s->n && all_near)
         return CYLINT_SCENE_OK;
     uint32_t *const number = allocate(s, s->n, sizeof *number);
     s->bounded = number;
+    s->n_bounded = 0;
     if (!number)
         return CYLINT_SCENE_EMEMORY;
-    s->n_bounded = 0;
-    s->box = (cylint_shapes_box)CYLINT_NO_BOX;
-    for (size_t i = 0; has_frame && i < s->n; i++) {
-        cylint_shapes_box own;
-        if (!cylint_watch_item(watch, i))
+    if (has_frame) {
+        s->n_bounded =
+            cylint_list_near(&view, s->n, &inner, watch, number, &s->box);
+        if (s->n_bounded == SIZE_MAX)
             return CYLINT_SCENE_ESTOPPED;
-        if (load_box(s, i, &own) && lies_in(&own, &inner)) {
-            extend_box(&s->box, &own);
-            number[s->n_bounded++] = (uint32_t)i;
-        }
-    }
-    if (has_frame)
         choose_frame(s);
+    }
     uint32_t *const others = number + s->n_bounded;
     s->others = others;
     for (size_t i = 0, next = 0; i < s->n; i++)
@@ -203,14 +90,6 @@ static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
         else if (cylint_record_kind(&s->records, i) != CYLINT_KIND_NONE)
             others[s->n_others++] = (uint32_t)i;
     return CYLINT_SCENE_OK;
-}
-
-static const cylint_shape *data_at(const void *owner, uint32_t number,
-                                   cylint_shape *shape)
-{
-    const cylint_scene *s = owner;
-    cylint_record_data(&s->records, number, shape);
-    return shape;
 }
 
 void cylint_scene_pack_others(cylint_scene *s)

@@ -52,12 +52,6 @@ typedef struct cylint_solids {
     size_t bytes;
 } cylint_solids;
 
-/* The box of n shapes that a frame can contain. */
-typedef struct cylint_shapes_box {
-    double lo[3], hi[3];
-    size_t n;
-} cylint_shapes_box;
-
 struct cylint_scene {
     cylint_records records;
     size_t n;
@@ -82,15 +76,6 @@ struct cylint_scene {
      * and solids.given lie in it */
     cylint_memory file;
 };
-
-#define CYLINT_NO_BOX                                                        \
-    {                                                                        \
-        {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, 0 \
-    }
-
-/* Adds a shape to the box, unless that is NULL.  Returns 0, and adds nothing, if no
- * frame can contain the shape. */
-int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *shape);
 
 /* Writes the shapes that are not in the hierarchy into their pack. */
 void cylint_scene_pack_others(cylint_scene *scene);

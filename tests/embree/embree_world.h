@@ -348,6 +348,19 @@ static inline struct world world_with(const cylint_shape *shapes, size_t n,
     return world_made(shapes, n, &(cylint_embree_options){.flags = how});
 }
 
+/* Replaces shapes 70 to 73 by some that are far from the others, or much larger,
+ * and so beside the hierarchy: two equal balls below, a wall and a distant
+ * stick. */
+static inline void world_distant(cylint_shape *shapes)
+{
+    const double below[3] = {0, 0, -1e5},
+                 wall[2][3] = {{1e4, 0, 0}, {1e4, 1, 0}};
+    for (int i = 0; i < 2; i++)
+        cylint_sphere(&shapes[70 + i], below, 1e5 - 3, CYLINT_ENDS_CAPPED);
+    cylint_cylinder(&shapes[72], wall[0], wall[1], 9990, CYLINT_ENDS_CAP1);
+    cylint_cone(&shapes[73], wall[0], 2, wall[1], 1, CYLINT_ENDS_OPEN);
+}
+
 /* For the world w of the shapes, with a hierarchy and then without. */
 #define EACH_WAY(w, shapes, n)                                                \
     for (int way = 0; way < 2; way++)                                         \

@@ -79,11 +79,12 @@ static int refuse_each(int (*act)(struct subject *), struct subject *s)
     return 0;
 }
 
-/* Half of them long, so that they are split. */
+/* Half of them long, so that they are split, and some beside the hierarchy. */
 static void shapes_of_all_kinds(cylint_shape *shapes)
 {
     world_shapes(SCENE_MIXED, shapes, SHAPES);
     world_shapes(SCENE_FIBRES, shapes, SHAPES / 2);
+    world_distant(shapes);
 }
 
 TEST(a_failed_making_frees_all_memory)

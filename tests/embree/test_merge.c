@@ -121,6 +121,8 @@ TEST(hits_have_the_numbers_of_the_parts)
         cylint_embree_options options = {.flags = flags[i], .threads = 2};
         cylint_shape shapes[SHAPES];
         world_shapes(i % 2 ? SCENE_LATTICE : SCENE_MIXED, shapes, SHAPES);
+        if (i == 2)
+            world_distant(shapes);
         cut(shapes);
         OWN_WORLD one = world_made(shapes, SHAPES, &options);
         OWN_WORLD merged = world_made(shapes, SHAPES, &options);

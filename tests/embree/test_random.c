@@ -260,6 +260,25 @@ TEST(hits_of_a_shape_that_share_a_float_are_distinguished)
     CHECK(tally.hits > tally.rays / 4);
 }
 
+/* The shapes beside the hierarchy are hit, and do not hide nearer ones.  Rays begin
+ * near the others. */
+TEST(distant_and_large_shapes_are_hit_among_others)
+{
+    memset(&tally, 0, sizeof tally);
+    for (unsigned how = 0; how < 3; how++) {
+        static const unsigned flags[] = {0, CYLINT_EMBREE_BARE,
+                                         CYLINT_EMBREE_NO_FILTERS};
+        OWN_SHAPES s =
+            scene_generate(how == 1 ? SCENE_ROUND : SCENE_MIXED, 300, 1 + how);
+        world_distant(s.shapes);
+        OWN_WORLD w = world_of(&s, flags[how], 4095);
+        for (int kind = 0; kind < LINES_KINDS; kind++)
+            trace_lines(&w, (enum scene_lines)kind, 1 + how, 1000);
+        trace_packets(&w, 1000);
+    }
+    CHECK(tally.hits > tally.rays / 4);
+}
+
 /* Certain occlusion in floats is right: a leaf of capped cylinders alone has it. */
 TEST(rays_that_barely_miss_are_not_occluded)
 {
