@@ -409,9 +409,9 @@ typedef struct cylint_answer {
  * Accuracy.  Relation, n, part and side are exact.  t, each component of point
  * and normal, z and phi are the doubles nearest to the real numbers at the real
  * root, not at the rounded t.  Beyond the largest double they are infinite; 0 is
- * never -0.  Ties of t, point and z are rounded to even.  If the real number is
- * nearer than 2^-90 of itself to the middle of two doubles, a component of
- * normal, or phi, may be the other one of the two.  The bits do not depend on
+ * never -0.  Ties of t, point and z are rounded to even.  If the real number
+ * differs from the middle of two doubles by less than 2^-90 of itself, a component
+ * of normal, or phi, may be the other one of the two.  The bits do not depend on
  * the other members wanted, on the function that returns them, on the processor,
  * the C library or the rounding mode.
  */
