@@ -16,7 +16,7 @@
  *
  * Both libcylint-scene and libcylint-embree contain these functions.  Queries
  * only read a scene, so any number of threads may query one.  They allocate no
- * memory, but for pieces of many lines and sums of lengths.  Nothing is printed.
+ * memory, except for pieces of many lines and sums of lengths.  Nothing is printed.
  *
  * Functions of the caller, such as cylint_scene_progress, must return, and not
  * leave by longjmp() or an exception of C++.  They can end the work by what they
