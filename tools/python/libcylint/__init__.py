@@ -1,7 +1,7 @@
 """Exact intersections and distances of lines, points, cylinders and cones.
 
-Arrays in, arrays out.  Each float64 stands for one real number, and the answers
-are exact for these numbers: no tolerance, the same bits on every processor.
+The functions take and return arrays.  Each float64 stands for one real number, and
+the answers are exact for these numbers: no tolerance, the same bits on every processor.
 
 >>> import numpy as np
 >>> import libcylint as cylint

@@ -531,7 +531,7 @@ def cone(
     """Frusta: radius r0 (...) at p0 (..., 3) and r1 at p1.
 
     If a radius is 0, the cone has its apex there.  With ends="infinite" it is a
-    double cone, with "nappe" the nappe that holds the base.
+    double cone, with "nappe" the nappe that holds the base, or the top if r0 is 0.
 
     >>> cylint.cone([0, 0, 0], 1, [0, 0, 3], 0).bounds()
     array([[-1., -1.,  0.],
