@@ -94,8 +94,8 @@
  *   - An occlusion query with that flag may write -inf to a tfar below 0.
  *   - On a processor with AVX-512, rtcOccluded16() and streams of occlusion queries
  *     with that flag may never return from Debian's build of Embree 3.13.5 if the
- *     scene has an instance that does not move, also without this library.  Leave
- *     the flag out, or make the device with "isa=avx2".
+ *     scene has an instance that does not move.  This happens without this library,
+ *     too.  Leave the flag out, or make the device with "isa=avx2".
  *   - Under a moving instance Embree rounds the transformed rays of a packet
  *     otherwise than rays alone.  The answers are right for those rays.
  * Trace such rays one by one.  Rays that begin near each other and go into the
