@@ -136,8 +136,8 @@ CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
  *
  * Uses one thread and, while it works, 4 to 32 bytes for each shape of the scene.
  * A few shapes that stay within the box of all cost least; if one leaves it, or the
- * box becomes much smaller, all are bounded again.  No other thread may use the
- * scene at the same time.
+ * box becomes much smaller, the boxes of all are computed again.  No other thread
+ * may use the scene at the same time.
  *
  * EUNFINISHED and EOPENED: not such a scene.  ESIZE: first + n is more than the
  * number of shapes.  EREPLACE: a shape is elliptic and the one before is not, or
