@@ -144,6 +144,7 @@ def test_tubes_that_are_refused():
         ("p1", [[0, 0, 1]], r"p1: expected the shape \(3,\), found \(1, 3\)"),
         ("outer", [1, 2, 3], r"outer: expected the shape \(2,\), found \(3,\)"),
         ("sector", [1, 0, 0], r"sector: expected the shape \(2, 3\), found \(3,\)"),
+        ("sector", [0, 90], r"sector: expected the shape \(2, 3\), found \(2,\)"),
         ("sector", [[0, 0, 1], [1, 0, 0]], "a direction of the sector is parallel"),
         ("sector", [[1, 0, 1], [2, 0, 0]], "or both are in one half plane"),
     ):  # fmt: skip

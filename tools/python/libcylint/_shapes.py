@@ -615,13 +615,12 @@ def tube(
     (array([6.]), array([7.]))
     """
     numbers = []
-    for name, value, width, shape in (
-        ("p0", p0, 3, (3,)), ("p1", p1, 3, (3,)), ("outer", outer, 1, (2,)),
-        ("inner", inner, 1, (2,)),
-        ("sector", np.zeros((2, 3)) if sector is None else sector, 3, (2, 3)),
+    for name, value, shape in (
+        ("p0", p0, (3,)), ("p1", p1, (3,)), ("outer", outer, (2,)), ("inner", inner, (2,)),
+        ("sector", np.zeros((2, 3)) if sector is None else sector, (2, 3)),
     ):
-        array = doubles(name, value, width)
-        if array.size == 1:
+        array = doubles(name, value)
+        if array.size == 1 and shape == (2,):
             array = np.repeat(array, 2)
         if array.shape != shape:
             raise ValueError(f"{name}: expected the shape {shape}, found {array.shape}")
