@@ -460,8 +460,10 @@ typedef struct cylint_workspace {
  * bytes to try next, which is more than before.  A chord takes 48 bytes, in a scene
  * with solids about 150, and 128 more for each further solid that its shape is a
  * member of.  An unbounded member of a bounded solid takes at most 256, its chords
- * included.  A complement in an unbounded solid takes 48 more than its chords. A
- * refused line has no pieces.
+ * included, and only if the line hits another shape of the solid.  So does a shape
+ * that more than 16 solids share, in solids with a clause of bounded shapes that
+ * fewer share.  A complement in an unbounded solid takes 48 more than its chords.
+ * A refused line has no pieces.
  */
 CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,
                                       const cylint_line *line,

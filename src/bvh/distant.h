@@ -30,9 +30,9 @@ typedef struct cylint_shapes_box {
  * box can contain the shape. */
 int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *shape);
 
-/* Finds which of the n shapes of a view shall be in the hierarchy: those in a box, of
- * all but a few, or of all space.  all: the box of all.  Returns whether all lie in
- * the box. */
+/* Finds which of the n shapes of a view shall be in the hierarchy: those in a box,
+ * of all but a few, or of all space.  all: the box of all.  Returns whether all lie
+ * in the box. */
 int cylint_choose_box(cylint_shapes_box *inner, const cylint_view *view,
                       size_t n, const cylint_shapes_box *all);
 

@@ -157,7 +157,10 @@ typedef struct {
     int32_t *holding;
     numbered_chord *chord;
     size_t n;
-    uint32_t number; /* of the solid of a sweep */
+    uint32_t number;         /* of the solid of a sweep */
+    uint32_t late;           /* the shape of the last late member ... */
+    cylint_interval last[2]; /* ... and its chords */
+    int n_last;
 } assembly;
 
 static int add_solid_chord(void *self, double t0, double t1)
@@ -167,8 +170,8 @@ static int add_solid_chord(void *self, double t0, double t1)
     return 1;
 }
 
-/* Adds the events of a chord for each membership of its shape.  A shape in no solid
- * is its own. */
+/* Adds the events of a chord for each member of its shape that is not late.  A
+ * shape in no solid is its own. */
 static void add_chord_of_shape(assembly *a, const numbered_chord *chord)
 {
     const cylint_solids *s = &a->from->scene->solids;
@@ -176,23 +179,27 @@ static void add_chord_of_shape(assembly *a, const numbered_chord *chord)
                    end = s->first_of_shape[chord->number + 1];
     if (first == end)
         a->chord[a->n++] = *chord;
-    for (uint32_t i = first; i < end; i++, a->n_events += 2)
+    for (uint32_t i = first;
+         i < end && !(s->of_shapes[i].shape & CYLINT_LATE_MEMBER);
+         i++, a->n_events += 2)
         cylint_add_events(a->event + a->n_events,
                           (cylint_interval){chord->t0, chord->t1},
                           s->of_shapes[i].solid, s->of_shapes[i].clause);
 }
 
+/* Solids often share a late member. */
 static void add_late_member(assembly *a, const cylint_membership *member)
 {
-    cylint_interval chord[2];
-    const int n = chords_of_late(a->from, member, chord);
-    for (int i = 0; i < n; i++, a->n_events += 2)
-        cylint_add_events(a->event + a->n_events, chord[i], member->solid,
+    if (a->late != member->shape) {
+        a->late = member->shape;
+        a->n_last = chords_of_late(a->from, member, a->last);
+    }
+    for (int i = 0; i < a->n_last; i++, a->n_events += 2)
+        cylint_add_events(a->event + a->n_events, a->last[i], member->solid,
                           member->clause);
 }
 
-/* Adds the events of members beside the hierarchy, of the bounded solids that have
- * events. */
+/* Adds the events of late members, of the solids that have events. */
 static void add_late_members(assembly *a)
 {
     const cylint_solids *s = &a->from->scene->solids;
@@ -256,9 +263,11 @@ static void count_events(const collector *c, size_t *events, size_t *chords)
         const uint32_t first = s->first_of_shape[c->chord[i].number],
                        end = s->first_of_shape[c->chord[i].number + 1];
         *chords += first == end;
-        *events += 2 * (size_t)(end - first);
-        for (uint32_t j = first; j < end; j++)
+        for (uint32_t j = first;
+             j < end && !(s->of_shapes[j].shape & CYLINT_LATE_MEMBER); j++) {
+            *events += 2;
             late += s->solid[s->of_shapes[j].solid].n_late;
+        }
     }
     *events += 4 * (late < s->n_late ? late : s->n_late);
     *chords += *events;
@@ -276,7 +285,7 @@ static size_t chords_of_solids(const collector *c, cylint_workspace *work,
     const cylint_solids *s = &c->scene->solids;
     const size_t used = c->n * sizeof *c->chord;
     cylint_room room = {(char *)(c->chord + c->n), work->bytes - used, used};
-    assembly a = {.from = c};
+    assembly a = {.from = c, .late = UINT32_MAX};
     size_t events, chords;
     *of_solids = c->chord;
     if (s->n == 0)
@@ -532,20 +541,15 @@ typedef struct {
     size_t number;  /* of the shape with the lowest number so far */
 } boundary_search;
 
-/* Keeps the shape if its chord begins or ends at q->t, so that the line enters or
- * leaves the solid there as wanted, and no kept number is lower. */
-static void consider_chord(boundary_search *q, size_t number,
+/* Keeps the shape of a member of the solid if its chord begins or ends at q->t, so
+ * that the line enters or leaves the solid there as wanted, and no kept number is
+ * lower. */
+static void consider_chord(boundary_search *q, size_t number, int32_t clause,
                            cylint_interval chord)
 {
-    const cylint_solids *s = &q->from->scene->solids;
-    for (uint32_t i = s->first_of_shape[number];
-         i < s->first_of_shape[number + 1]; i++) {
-        const int is_complement = s->of_shapes[i].clause < 0;
-        const double t = q->enters != is_complement ? chord.t0 : chord.t1;
-        if (s->of_shapes[i].solid == q->solid && number < q->number &&
-            cylint_rank(t) == cylint_rank(q->t))
-            q->number = number;
-    }
+    const double t = q->enters == (clause > 0) ? chord.t0 : chord.t1;
+    if (number < q->number && cylint_rank(t) == cylint_rank(q->t))
+        q->number = number;
 }
 
 /* Finds the shape of the solid that has this number: the shape itself, or one of
@@ -568,11 +572,16 @@ static void search_solid(boundary_search *q, size_t number)
         cylint_interval chord[2];
         const int n = chords_of_late(q->from, late, chord);
         for (int k = 0; k < n; k++)
-            consider_chord(q, late->shape, chord[k]);
+            consider_chord(q, late->shape, late->clause, chord[k]);
     }
     for (size_t i = 0; i < q->from->n; i++) {
         const numbered_chord *x = &q->from->chord[i];
-        consider_chord(q, x->number, (cylint_interval){x->t0, x->t1});
+        const uint32_t end = s->first_of_shape[x->number + 1];
+        for (uint32_t j = s->first_of_shape[x->number];
+             j < end && !(s->of_shapes[j].shape & CYLINT_LATE_MEMBER); j++)
+            if (s->of_shapes[j].solid == q->solid)
+                consider_chord(q, x->number, s->of_shapes[j].clause,
+                               (cylint_interval){x->t0, x->t1});
     }
 }
 

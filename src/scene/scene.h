@@ -23,23 +23,26 @@ typedef struct cylint_membership {
     int32_t clause;
 } cylint_membership;
 
-/* A line hits a bounded solid only if it hits a shape of it in the hierarchy.  A
- * member beside the hierarchy is late if all its solids are bounded: only lines
- * that hit one of their shapes test it. */
+/* A line hits a bounded solid only if it hits a shape of it in the hierarchy.  Late
+ * members are tested only with lines that hit a member that is not late. */
 typedef struct cylint_scene_solid {
     uint32_t number;             /* of the shape that stands for it */
     uint32_t clauses;            /* how many; 0: no member has this solid */
     uint32_t failing;            /* how many without a complement */
     uint32_t first_clause;       /* in `complements` */
     uint32_t first_late, n_late; /* of `late` */
-    int is_bounded;
+    int is_bounded; /* a clause consists of shapes in the hierarchy ... */
+    int is_led;     /* ... that few solids share */
 } cylint_scene_solid;
+
+/* Added to the number of a late member's shape in `of_shapes`. */
+enum { CYLINT_LATE_MEMBER = 1 << 30 };
 
 typedef struct cylint_solids {
     size_t n_members;
     const cylint_membership *given; /* as they were set */
     /* In these the clauses of a solid have the numbers 1, 2, ... */
-    cylint_membership *of_shapes; /* sorted by shape ... */
+    cylint_membership *of_shapes; /* sorted by shape, late ones last ... */
     uint32_t *first_of_shape; /* ... where those of each begin, and the end */
     cylint_membership *late;  /* late members, sorted by solid */
     size_t n, most_clauses;   /* of solids; of the clauses of one */

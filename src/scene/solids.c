@@ -78,19 +78,29 @@ static cylint_scene_status check_members(cylint_solids *s, size_t shapes)
     return CYLINT_SCENE_OK;
 }
 
+/* Members of a shape in the hierarchy that more solids share are late if their
+ * solid can be led by other shapes: else a line that hits the shape would make
+ * events for all of them. */
+enum { FEW_SOLIDS = 16 };
+
+/* While first_of_shape has the numbers of members. */
+static int is_shared(const cylint_solids *s, uint32_t shape)
+{
+    return s->first_of_shape[shape] > FEW_SOLIDS;
+}
+
 /* lint: memory for the clauses of all members was allocated */
 /* Makes a solid of its n members, which are sorted by clause: numbers its clauses,
- * and counts the complements in each.  It is bounded if a clause consists of shapes
- * in the hierarchy. */
-static void make_solid(cylint_scene_solid *solid, const cylint_scene *scene,
-                       cylint_membership *member, size_t n,
-                       int32_t *complements)
+ * and counts the complements in each. */
+static void make_solid(const cylint_solids *s, const cylint_scene *scene,
+                       cylint_scene_solid *solid, cylint_membership *member,
+                       size_t n, int32_t *complements)
 {
     uint32_t least = UINT32_MAX, least_complement = UINT32_MAX;
     for (size_t i = 0; i < n; complements++) {
         const int32_t given = abs(member[i].clause),
                       clause = (int32_t)++solid->clauses;
-        int is_bounded = 1;
+        int is_bounded = 1, is_led = 1;
         for (; i < n && abs(member[i].clause) == given; i++) {
             const uint32_t shape = member[i].shape;
             const int is_complement = member[i].clause < 0;
@@ -98,10 +108,12 @@ static void make_solid(cylint_scene_solid *solid, const cylint_scene *scene,
             *lowest = shape < *lowest ? shape : *lowest;
             *complements += is_complement;
             is_bounded &= !is_complement && !cylint_is_other(scene, shape);
+            is_led &= !is_shared(s, shape);
             member[i].clause = is_complement ? -clause : clause;
         }
         solid->failing += *complements == 0;
         solid->is_bounded |= is_bounded;
+        solid->is_led |= is_bounded && is_led;
     }
     solid->number = least < UINT32_MAX ? least : least_complement;
 }
@@ -109,79 +121,91 @@ static void make_solid(cylint_scene_solid *solid, const cylint_scene *scene,
 static void make_each_solid(cylint_solids *s, const cylint_scene *scene)
 {
     uint32_t clauses = 0;
+    for (size_t i = 0; i < s->n_members; i++)
+        s->first_of_shape[s->late[i].shape]++;
     for (size_t i = 0, n; i < s->n_members; i += n) {
         cylint_membership *const member = &s->late[i];
         cylint_scene_solid *solid = &s->solid[member->solid];
         for (n = 1; i + n < s->n_members && member[n].solid == member->solid;)
             n++;
         solid->first_clause = clauses;
-        make_solid(solid, scene, member, n, s->complements + clauses);
+        make_solid(s, scene, solid, member, n, s->complements + clauses);
         clauses += solid->clauses;
         if (solid->clauses > s->most_clauses)
             s->most_clauses = solid->clauses;
     }
 }
 
-/* Whether all solids have different numbers.  first_of_shape is 0, before and
- * afterwards. */
+/* Whether all solids have different numbers.  first_of_shape has the numbers of
+ * members, before and afterwards. */
 static int have_own_numbers(cylint_solids *s)
 {
+    const uint32_t taken = (uint32_t)1 << 31;
     int are_own = 1;
     for (size_t i = 0; i < s->n; i++)
-        if (s->solid[i].clauses > 0 &&
-            s->first_of_shape[s->solid[i].number]++ > 0)
-            are_own = 0;
+        if (s->solid[i].clauses > 0) {
+            uint32_t *of_shape = &s->first_of_shape[s->solid[i].number];
+            are_own &= !(*of_shape & taken);
+            *of_shape |= taken;
+        }
     for (size_t i = 0; i < s->n; i++)
-        s->first_of_shape[s->solid[i].number] = 0;
+        s->first_of_shape[s->solid[i].number] &= ~taken;
     return are_own;
 }
 
-/* Sorts the members by shape: counts those of each, sums up where the members of
- * each shape end, and stores them from the last to the first.  `late` has them all,
- * with numbered clauses. */
+static void mark_late(cylint_solids *s, const cylint_scene *scene)
+{
+    for (size_t i = 0; i < s->n_members; i++) {
+        cylint_membership *m = &s->late[i];
+        const cylint_scene_solid *solid = &s->solid[m->solid];
+        if (cylint_is_other(scene, m->shape)
+                ? solid->is_bounded
+                : solid->is_led && is_shared(s, m->shape))
+            m->shape += CYLINT_LATE_MEMBER;
+    }
+}
+
+/* Sorts the members by shape: sums up where those of each shape end, and stores
+ * them from the last to the first, late ones first. */
 static void list_by_shape(cylint_solids *s, size_t shapes)
 {
     uint32_t *first = s->first_of_shape, end = 0;
-    for (size_t i = 0; i < s->n_members; i++)
-        first[s->late[i].shape]++;
     for (size_t shape = 0; shape <= shapes; shape++)
         first[shape] = end += first[shape];
-    for (size_t i = s->n_members; i-- > 0;)
-        s->of_shapes[--first[s->late[i].shape]] = s->late[i];
+    for (uint32_t late = CYLINT_LATE_MEMBER;; late = 0) {
+        for (size_t i = s->n_members; i-- > 0;)
+            if ((s->late[i].shape & CYLINT_LATE_MEMBER) == late)
+                s->of_shapes[--first[s->late[i].shape - late]] = s->late[i];
+        if (late == 0)
+            return;
+    }
 }
 
-/* Whether all lines test a shape beside the hierarchy: it is itself a solid, or a
- * member of a solid that is not bounded. */
-static int is_always_tested(const cylint_solids *s, uint32_t shape)
-{
-    const uint32_t first = s->first_of_shape[shape],
-                   end = s->first_of_shape[shape + 1];
-    int is_tested = first == end;
-    for (uint32_t i = first; i < end; i++)
-        is_tested |= !s->solid[s->of_shapes[i].solid].is_bounded;
-    return is_tested;
-}
-
-/* Lists what all lines test. */
+/* Lists what all lines test: solids, and shapes beside the hierarchy that are
+ * themselves solids or have a member that is not late. */
 static void list_always(cylint_solids *s, const cylint_scene *scene)
 {
     for (size_t i = 0; i < s->n; i++)
         if (s->solid[i].clauses > 0 && s->solid[i].failing == 0)
             s->holding[s->n_holding++] = (uint32_t)i;
-    for (size_t i = 0; i < scene->n_others; i++)
-        if (is_always_tested(s, scene->others[i]))
-            s->always[s->n_always++] = scene->others[i];
+    for (size_t i = 0; i < scene->n_others; i++) {
+        const uint32_t shape = scene->others[i],
+                       first = s->first_of_shape[shape];
+        if (first == s->first_of_shape[shape + 1] ||
+            !(s->of_shapes[first].shape & CYLINT_LATE_MEMBER))
+            s->always[s->n_always++] = shape;
+    }
 }
 
-/* Keeps the late members only: those that not all lines test. */
-static void choose_late(cylint_solids *s, const cylint_scene *scene)
+/* Keeps the late members only. */
+static void keep_late(cylint_solids *s)
 {
     for (size_t i = 0; i < s->n_members; i++) {
-        const cylint_membership m = s->late[i];
+        cylint_membership m = s->late[i];
         cylint_scene_solid *solid = &s->solid[m.solid];
-        if (!cylint_is_other(scene, m.shape) ||
-            is_among(s->always, s->n_always, m.shape))
+        if (!(m.shape & CYLINT_LATE_MEMBER))
             continue;
+        m.shape -= CYLINT_LATE_MEMBER;
         if (solid->n_late++ == 0)
             solid->first_late = (uint32_t)s->n_late;
         s->late[s->n_late++] = m;
@@ -201,9 +225,10 @@ cylint_scene_status cylint_solids_make(cylint_solids *s,
     make_each_solid(s, scene);
     if (!have_own_numbers(s))
         return CYLINT_SCENE_ESOLID;
+    mark_late(s, scene);
     list_by_shape(s, scene->n);
     list_always(s, scene);
-    choose_late(s, scene);
+    keep_late(s);
     return CYLINT_SCENE_OK;
 }
 

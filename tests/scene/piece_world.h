@@ -298,19 +298,40 @@ static inline void make_shapes(void)
     world.members = world.solids = 0;
 }
 
-/* Of up to 8 shapes and 4 clauses.  Solids may share shapes. */
+/* Solid i has shape i, a shape in common with all others, and sometimes more. */
+static inline void draw_sharing_solids(void)
+{
+    world.solids = 18;
+    for (size_t i = 0; i < world.solids; i++) {
+        world.member[world.members++] = (cylint_member){i, i, 1};
+        world.member[world.members++] =
+            (cylint_member){SHAPES - 1, i, one_of(2) ? 2 : -2};
+    }
+    for (int n = one_of(MEMBERS - 36); n > 0; n--)
+        world.member[world.members++] =
+            (cylint_member){(size_t)one_of(SHAPES), (size_t)one_of(18),
+                            one_of(2) ? 1 : 2 - 4 * one_of(2)};
+}
+
+/* Of up to 8 shapes and 4 clauses. */
+static inline void draw_solids(void)
+{
+    world.solids = 1 + (size_t)one_of(4);
+    for (size_t i = 0; i < world.solids; i++)
+        for (int n = 1 + one_of(8); n > 0; n--) {
+            const size_t shape = (size_t)one_of(SHAPES);
+            const int clause = 1 + one_of(4);
+            world.member[world.members++] =
+                (cylint_member){shape, i, one_of(3) ? clause : -clause};
+        }
+}
+
+/* Solids may share shapes. */
 static inline void make_solids(void)
 {
     do {
         world.members = 0;
-        world.solids = 1 + (size_t)one_of(4);
-        for (size_t i = 0; i < world.solids; i++)
-            for (int n = 1 + one_of(8); n > 0; n--) {
-                const size_t shape = (size_t)one_of(SHAPES);
-                const int clause = 1 + one_of(4);
-                world.member[world.members++] =
-                    (cylint_member){shape, i, one_of(3) ? clause : -clause};
-            }
+        (one_of(4) ? draw_solids : draw_sharing_solids)();
     } while (cylint_scene_set_solids(world.scene, world.member,
                                      world.members) != CYLINT_SCENE_OK);
 }
