@@ -453,8 +453,8 @@ typedef struct cylint_workspace {
  * t1; for chords, which may overlap, with the same line and rule->after = the last.
  * The pieces are then those that one call returns.  A capacity of up to 4 is
  * faster, except for chords: only a part of the line is searched.  If most chords
- * begin in that part, or the shapes of a solid touch, it takes up to eight times as
- * long as one call for all pieces.
+ * begin in that part, or a piece is as long as the line, it takes up to eight times
+ * as long as one call for all pieces.
  *
  * Returns CYLINT_NO_ROOM if the workspace does not suffice, and writes how many
  * bytes to try next, which is more than before.  A chord takes 48 bytes, in a scene

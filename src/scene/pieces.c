@@ -53,8 +53,8 @@ typedef struct {
     numbered_chord *chord;
     size_t n, capacity; /* n counts those without room too */
     double complete;
-    /* of a search for the first pieces: how many are wanted, and whether chords
-     * that overlap or touch are expected to be one piece */
+    /* of a search for the first pieces: how many are wanted, and whether they are
+     * of the union */
     size_t pieces;
     int unites;
     double least_complete; /* `complete` is not reduced below this */
@@ -75,22 +75,52 @@ static double keep_chord(void *context, const cylint_found *found)
     return HUGE_VAL;
 }
 
-/* Where piece number c->pieces is expected to end, by the chords so far, or
- * infinity.  A piece begins with a chord that is behind those before or, unless
- * these are united, ends behind them. */
-static double end_of_last_piece(const collector *c)
+/* Where piece number c->pieces of the union is expected to end, by the sorted
+ * chords so far, or infinity. */
+static double end_of_united(const collector *c)
 {
     size_t pieces = 0;
     double end = -HUGE_VAL;
     for (size_t i = 0; i < c->n; i++) {
         const numbered_chord *x = &c->chord[i];
-        const double from = c->unites ? x->t0 : x->t1;
-        if ((i == 0 || cylint_less(end, from)) && pieces++ == c->pieces)
+        if ((i == 0 || cylint_less(end, x->t0)) && pieces++ == c->pieces)
             return end;
         if (cylint_less(end, x->t1))
             end = x->t1;
     }
     return pieces == c->pieces ? end : HUGE_VAL;
+}
+
+/* The same of the cells, each of which ends where a chord begins or ends. */
+static double end_of_cell(const collector *c)
+{
+    size_t cells = 0;
+    double t = -HUGE_VAL;
+    for (int was_inside = 0;;) {
+        double next = HUGE_VAL;
+        int is_inside = 0;
+        for (size_t i = 0; i < c->n; i++) {
+            const numbered_chord *x = &c->chord[i];
+            const int has_begun = !cylint_less(t, x->t0);
+            const double event = has_begun ? x->t1 : x->t0;
+            is_inside |= has_begun && cylint_less(t, event);
+            if (cylint_less(t, event) && cylint_less(event, next))
+                next = event;
+            if (!has_begun)
+                break;
+        }
+        if (was_inside && ++cells == c->pieces)
+            return t;
+        if (!cylint_less(t, next))
+            return HUGE_VAL;
+        was_inside = is_inside;
+        t = next;
+    }
+}
+
+static double end_of_last_piece(const collector *c)
+{
+    return c->unites ? end_of_united(c) : end_of_cell(c);
 }
 
 /* More chords than this are not kept sorted as they come. */
@@ -485,8 +515,9 @@ static void collect(collector *c, size_t pieces, double least_complete)
                       pieces > 0 ? keep_first_chord : keep_chord, c);
 }
 
-/* The most pieces for which the line is searched in order, and how often. */
-enum { FEW_PIECES = 4, SEARCHES = 2 };
+/* The most pieces for which the line is searched in order, how often, and how many
+ * times farther on each time. */
+enum { FEW_PIECES = 4, SEARCHES = 8, FARTHER = 4 };
 
 /* As cylint_scene_pieces().  Afterwards c->chord has the chords in shapes, and
  * s->chord those in solids: if there are s->capacity pieces, all that begin where
@@ -496,8 +527,7 @@ static size_t find_pieces(collector *c, sweep *s, cylint_workspace *work)
     const int are_few =
         s->capacity <= FEW_PIECES && s->rule->mode != CYLINT_PIECES_CHORDS;
     double least_complete = -HUGE_VAL;
-    c->unites =
-        s->rule->mode == CYLINT_PIECES_UNION || c->scene->solids.n_members > 0;
+    c->unites = s->rule->mode == CYLINT_PIECES_UNION;
     c->chord = work->memory;
     c->capacity = work->bytes / (2 * sizeof *c->chord);
     if (!c->line->valid || s->capacity == 0)
@@ -511,13 +541,12 @@ static size_t find_pieces(collector *c, sweep *s, cylint_workspace *work)
             work->wanted = c->n * 2 * sizeof *c->chord;
             return CYLINT_NO_ROOM;
         }
-        const double begin = c->n > 0 ? c->chord[0].t0 : 0,
-                     end = i > 0 ? end_of_last_piece(c) : 0;
+        const double begin = c->n > 0 ? c->chord[0].t0 : 0;
         const size_t n = pieces_of_chords(c, work, s);
         if (n == s->capacity || n == CYLINT_NO_ROOM ||
             !cylint_less(c->complete, c->line->tmax))
             return n;
-        least_complete = end + 2 * (end - begin);
+        least_complete = c->complete + FARTHER * (c->complete - begin);
     }
 }
 

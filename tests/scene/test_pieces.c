@@ -392,27 +392,40 @@ TEST(many_pieces_of_a_line_are_all_those_that_are_wanted)
     }
 }
 
-/* A search of the whole line would find more chords than the workspace holds. */
-TEST(the_first_pieces_in_shapes_that_touch_are_found_in_a_part_of_the_line)
+/* Of a row of discs that touch, and then of a ball about all of them.  A search of
+ * the whole line would find more chords than the workspace holds. */
+TEST(the_first_pieces_are_found_in_a_part_of_the_line)
 {
-    enum { DISCS = 1000, FEW = 4, CHORDS = 64 };
-    static cylint_shape disc[DISCS];
+    enum { DISCS = 1000, FEW = 4, CHORDS = 64, MIDDLE = 500 };
+    static cylint_shape shape[DISCS + 1];
     static cylint_interval memory[3 * CHORDS];
     cylint_workspace work = {memory, sizeof memory, 0};
     cylint_line line;
     for (int i = 0; i < DISCS; i++)
-        cylint_cylinder(&disc[i], (double[]){i, 0, 0}, (double[]){i + 1, 0, 0},
+        cylint_cylinder(&shape[i], (double[]){i, 0, 0}, (double[]){i + 1, 0, 0},
                         1, CYLINT_ENDS_CAPPED);
-    OWN_SCENE *scene = cylint_scene_new(disc, DISCS, 1, NULL);
+    cylint_sphere(&shape[DISCS], (double[]){MIDDLE, 0, 0}, DISCS,
+                  CYLINT_ENDS_CAPPED);
     cylint_ray(&line, (double[]){-5, 0.1, 0.2}, (double[]){1, 0, 0});
-    for (int mode = CYLINT_PIECES_OWNER; mode <= CYLINT_PIECES_CELLS; mode++)
-        for (size_t most = 1; most <= FEW; most++) {
-            const cylint_piece_rule rule = {.mode = mode};
-            cylint_piece piece[FEW];
-            if (CHECK(cylint_scene_pieces(scene, &line, &rule, piece, most,
-                                          &work) == most))
-                CHECK(piece[most - 1].shape == most - 1);
-        }
+    for (int balls = 0; balls < 2; balls++) {
+        const size_t n = DISCS + (size_t)balls;
+        OWN_SCENE *scene = cylint_scene_new(shape, n, 1, NULL);
+        for (int mode = CYLINT_PIECES_OWNER; mode <= CYLINT_PIECES_CELLS;
+             mode++)
+            for (size_t most = 1; most <= FEW; most++) {
+                const cylint_piece_rule rule = {.mode = mode};
+                cylint_piece piece[FEW];
+                line.tmin = 0;
+                CHECK(cylint_scene_pieces(scene, &line, &rule, piece, most,
+                                          &work) == most);
+                CHECK(piece[most - 1].shape ==
+                      (balls && most == 1 ? DISCS : most - 1 - (size_t)balls));
+                line.tmin = 5 + MIDDLE;
+                CHECK(cylint_scene_pieces(scene, &line, &rule, piece, most,
+                                          &work) == most);
+                CHECK(piece[most - 1].shape == MIDDLE + most - 1);
+            }
+    }
 }
 
 /* ---------------------------------------------------------------- sums -- */
