@@ -170,9 +170,10 @@ $(BUILD)/links: FORCE
 
 # ------------------------------------------------ libraries and programs --
 # $(call shared,NAME) and $(call shared,NAME,VERSION) are file names, $(soname)
-# the linker's flags, for ELF, macOS and Windows.
+# the linker's flags, for ELF, macOS and Windows.  Under ELF the libraries find each
+# other in their own folder.
 shared  = $(1).so$(2:%=.%)
-soname  = -shared -Wl,-soname,$(@F).$(major)
+soname  = -shared -Wl,-soname,$(@F).$(major) -Wl,-rpath,'$$ORIGIN'
 ifneq ($(findstring darwin,$(MACHINE)),)
 shared  = $(1)$(2:%=.%).dylib
 soname  = -dynamiclib -install_name $(LIBDIR)/$(call shared,$(basename $(@F)),$(major)) \
@@ -185,7 +186,7 @@ version = $(shell sed -n 's/^.define CYLINT_VERSION "\(.*\)"/\1/p' include/cylin
 major   = $(firstword $(subst ., ,$(version)))
 
 # libcylint-embree (for Embree 4: libcylint-embree4) holds all of
-# libcylint-scene: a program links one of them.
+# libcylint-scene: a program needs one of them.
 threads_link := $(if $(PTHREAD),-pthread)
 adapter      := libcylint-embree$(filter-out 3,$(EMBREE))
 libraries    := libcylint libcylint-scene $(if $(EMBREE),$(adapter))

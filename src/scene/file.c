@@ -379,7 +379,7 @@ static size_t bytes_for(FILE *file)
     return size >= 0 && size < LONG_MAX ? (size_t)size + 1 : FIRST_BYTES;
 }
 
-/* Reads to the end, of a pipe too. */
+/* Reads to the end, of a pipe too, but no more of a file without the magic. */
 static cylint_scene_status read_file(cylint_memory *m, FILE *file)
 {
     size_t bytes = 0;
@@ -387,7 +387,8 @@ static cylint_scene_status read_file(cylint_memory *m, FILE *file)
         return CYLINT_SCENE_EMEMORY;
     for (;;) {
         bytes += fread((char *)m->data + bytes, 1, m->bytes - bytes, file);
-        if (bytes < m->bytes)
+        if (bytes < m->bytes ||
+            memcmp(m->data, file_magic, sizeof file_magic) != 0)
             break;
         if (m->bytes > PTRDIFF_MAX / 2 ||
             !cylint_memory_resize(m, NULL, 2 * m->bytes))

@@ -21,6 +21,7 @@
 #include "../fuzz/scene_file.c"
 
 #if defined(__unix__) || defined(__APPLE__)
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -284,6 +285,28 @@ TEST(a_named_pipe_is_written_to_and_read_and_not_replaced)
     CHECK(opened && differences(built, opened, &of, 5) == 0);
     CHECK(waitpid(child, &status, 0) == child && status == 0);
     CHECK(stat(path, &about) == 0 && S_ISFIFO(about.st_mode));
+    remove(path);
+}
+
+/* Of a pipe without a scene, which may have no end. */
+TEST(only_the_first_bytes_of_another_file_are_read)
+{
+    static const char zeros[1 << 16];
+    int status = 1;
+    cylint_scene_status opened;
+    CHECK(mkfifo(path, 0600) == 0);
+    const pid_t child = fork();
+    if (child == 0) {
+        const int to = open(path, O_WRONLY);
+        signal(SIGPIPE, SIG_IGN);
+        for (int i = 0; i < 1000; i++)
+            if (write(to, zeros, sizeof zeros) < 0)
+                _exit(0);
+        _exit(1);
+    }
+    CHECK(!cylint_scene_open(path, CYLINT_SCENE_TRUSTED, &opened) &&
+          opened == CYLINT_SCENE_EFORMAT);
+    CHECK(waitpid(child, &status, 0) == child && status == 0);
     remove(path);
 }
 
