@@ -1,6 +1,6 @@
 /*
- * message.c - messages and the progress of the work on standard error, clocks, and
- * signals that the system handles
+ * message.c - messages and the progress of the work on standard error, and signals
+ * that the system handles
  *
  * A program that reads scenes but must not print, or handles signals itself,
  * defines these functions and leaves this file out; the Python package does.
@@ -8,6 +8,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "report.h"
@@ -38,10 +39,10 @@ int is_interrupted(void)
 
 /* ------------------------------------------------------------ progress -- */
 
-double seconds_of(clockid_t clock)
+static double seconds(void)
 {
     struct timespec now;
-    clock_gettime(clock, &now);
+    clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
@@ -55,7 +56,7 @@ void progress_start(struct progress *p, int is_wanted, int answers,
     p->in_bytes = in_bytes;
     p->is_terminal = isatty(2) && !isatty(answers) && !is_dumb;
     p->is_shown = is_wanted || p->is_terminal;
-    p->start = p->last = p->is_shown ? seconds_of(CLOCK_MONOTONIC) : 0;
+    p->start = p->last = p->is_shown ? seconds() : 0;
     p->count = 0;
 }
 
@@ -82,7 +83,7 @@ void progress_add(struct progress *p, unsigned long long count, double done,
     p->count += count;
     if (!p->is_shown)
         return;
-    const double now = seconds_of(CLOCK_MONOTONIC);
+    const double now = seconds();
     const double interval = has_progress_line ? 0.2 : 1;
     if (now - p->last >= interval)
         show(p, now, done, total);
@@ -93,6 +94,6 @@ void progress_end(struct progress *p)
     if (has_progress_line)
         fputs("\r\033[K", stderr);
     else if (p->is_shown && !p->is_terminal)
-        show(p, seconds_of(CLOCK_MONOTONIC), 0, 0);
+        show(p, seconds(), 0, 0);
     has_progress_line = 0;
 }

@@ -8,8 +8,6 @@
 #ifndef CYLINT_REPORT_H
 #define CYLINT_REPORT_H
 
-#include <time.h>
-
 #include "text.h"
 
 extern const char *const program; /* the name of the program, in messages */
@@ -120,9 +118,6 @@ int complain_errno(const char *name);
 int out_of_memory(void);
 
 /* -------------------------------------------------------------- progress -- */
-
-/* Seconds of a clock. */
-double seconds_of(clockid_t clock);
 
 /* On a terminal that has no answers the progress appears when the work has lasted a
  * second.  With --progress it is also written elsewhere, one line a second. */

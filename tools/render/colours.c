@@ -11,9 +11,9 @@
 #include "sampling.h"
 #include "../../src/shapes/shape_facts.h"
 
-const char *const colouring_words[] = {
-    "number", "label",   "kind",  "connected", "radius",
-    "height", "element", "chain", RGB,         NULL};
+const char *const colouring_words[] = {"number", "label",  "kind",
+                                       "radius", "height", "element",
+                                       "chain",  RGB,      NULL};
 
 enum { NO_COLOUR = 1 << 24 };
 
@@ -129,9 +129,8 @@ struct colours {
     const struct scene *scene;
     enum colouring how;
     struct vector up;
-    uint32_t one;    /* the colour for COLOUR_ONE */
-    uint32_t *of;    /* the colour of each shape, or NO_COLOUR */
-    uint32_t *group; /* of connected shapes; NULL: not wanted */
+    uint32_t one; /* the colour for COLOUR_ONE */
+    uint32_t *of; /* the colour of each shape, or NO_COLOUR */
 };
 
 static void read_tails(struct colours *c)
@@ -204,8 +203,6 @@ static uint32_t colour_of_shape(const struct colours *c, size_t i)
     case COLOUR_KIND:
         cylint_scene_shape(c->scene->shapes, i, &shape);
         return colour_of_number((size_t)shape.kind);
-    case COLOUR_CONNECTED:
-        return colour_of_number(c->group[i]);
     default:
         return c->one;
     }
@@ -239,29 +236,19 @@ static int colour_others(struct colours *c)
     return 0;
 }
 
-static int colour_all(struct colours *c)
-{
-    int status = 0;
-    read_tails(c);
-    if (c->how == COLOUR_CONNECTED)
-        status = connected_groups(c->scene, c->group);
-    if (c->how == COLOUR_RADIUS || c->how == COLOUR_HEIGHT)
-        by_measure(c);
-    return status != 0 ? status : colour_others(c);
-}
-
 uint32_t *colours_make(const struct scene *scene, enum colouring how,
                        uint32_t one, struct vector up)
 {
-    const size_t bytes = (scene->count + 1) * sizeof(uint32_t);
     struct colours c = {.scene = scene, .how = how, .one = one, .up = up};
-    c.of = malloc(bytes);
-    c.group = how == COLOUR_CONNECTED ? malloc(bytes) : NULL;
-    const int status = c.of && (c.group || how != COLOUR_CONNECTED)
-                           ? colour_all(&c)
-                           : out_of_memory();
-    free(c.group);
-    if (status == 0)
+    c.of = malloc((scene->count + 1) * sizeof *c.of);
+    if (!c.of) {
+        out_of_memory();
+        return NULL;
+    }
+    read_tails(&c);
+    if (how == COLOUR_RADIUS || how == COLOUR_HEIGHT)
+        by_measure(&c);
+    if (colour_others(&c) == 0)
         return c.of;
     free(c.of);
     return NULL;

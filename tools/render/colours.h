@@ -14,15 +14,14 @@
 #include "vector.h"
 
 enum colouring {
-    COLOUR_NUMBER,    /* one after the other from a palette */
-    COLOUR_LABEL,     /* by the record's tail: equal tails, equal colours */
-    COLOUR_KIND,      /* by the kind of shape */
-    COLOUR_CONNECTED, /* one colour for shapes connected by common end points */
-    COLOUR_RADIUS,    /* from thin to thick */
-    COLOUR_HEIGHT,    /* from low to high */
-    COLOUR_ELEMENT,   /* atoms by their elements (atoms.c) */
-    COLOUR_CHAIN,     /* atoms and bonds by their chains */
-    COLOUR_ONE        /* one colour for all */
+    COLOUR_NUMBER,  /* one after the other from a palette */
+    COLOUR_LABEL,   /* by the record's tail: equal tails, equal colours */
+    COLOUR_KIND,    /* by the kind of shape */
+    COLOUR_RADIUS,  /* from thin to thick */
+    COLOUR_HEIGHT,  /* from low to high */
+    COLOUR_ELEMENT, /* atoms by their elements (atoms.c) */
+    COLOUR_CHAIN,   /* atoms and bonds by their chains */
+    COLOUR_ONE      /* one colour for all */
 };
 
 #define RGB "#rrggbb" /* the word for a colour in lists of words */
@@ -44,7 +43,7 @@ struct vector light_of_colour(uint32_t colour);
 struct vector light_of_shares(double red, double green, double blue);
 unsigned char byte_of_light(double light);
 
-/* -------------------------------------------------------- atoms, groups -- */
+/* ---------------------------------------------------------------- atoms -- */
 
 /* Writes the colour of the element, 0xrrggbb; that of a bond is grey.  Returns 0 if
  * the text is no label of an atom or bond. */
@@ -53,11 +52,5 @@ int colour_of_element(struct string label, uint32_t *colour);
 /* Writes the number of the chain of an atom or a bond's first atom: A is 0, B is 1.
  * Returns 0 likewise. */
 int number_of_chain(struct string label, size_t *number);
-
-/* Cylinders, cones and round shapes are connected if ends of their axes are equal,
- * to the last bit, or if other shapes connect them; every other shape is a group of
- * its own.  Groups are numbered from 0 in the order of their first shapes.  Returns
- * 0 or an exit status. */
-int connected_groups(const struct scene *scene, uint32_t *group);
 
 #endif

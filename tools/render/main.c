@@ -3,7 +3,6 @@
  *
  * The locale is never set: numbers have a point everywhere.
  */
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,22 +17,7 @@ struct job {
     uint32_t *colours; /* of the shapes, and of the ground behind them */
     struct stage stage;
     struct view view;
-    double last, last_cpu; /* seconds, at the end of the last stage */
 };
-
-/* A stage ends.  With --progress prints `WHAT COUNT UNIT: SECONDS s, SECONDS s of
- * CPU`. */
-static void end_stage(struct job *job, const char *what,
-                      unsigned long long count, const char *unit)
-{
-    const double now = seconds_of(CLOCK_MONOTONIC);
-    const double cpu = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
-    if (job->options.shows_progress)
-        fprintf(stderr, "%s: %s %llu %s: %.2f s, %.2f s of CPU\n", program,
-                what, count, unit, now - job->last, cpu - job->last_cpu);
-    job->last = now;
-    job->last_cpu = cpu;
-}
 
 /* The ground is a flat cylinder under the scene, so wide that it has faded before
  * its rim. */
@@ -119,18 +103,14 @@ static int prepare(struct job *job)
 static int draw_picture(struct job *job, struct output *out)
 {
     const struct options *o = &job->options;
-    const unsigned long long pixels =
-        (unsigned long long)o->size[0] * (unsigned long long)o->size[1];
     const int is_xray = o->xray.scale != XRAY_NONE;
     struct picture picture;
     const struct drawing drawing = {&picture, &job->view, o->samples,
-                                    o->workers, o->shows_progress};
+                                    o->workers};
     int status = scene_build(&job->scene, o->workers);
     if (status != 0)
         return status;
     job->stage.scene = job->scene.shapes;
-    end_stage(job, "built a scene of", cylint_scene_bytes(job->stage.scene),
-              "bytes");
     status = picture_make(&picture, o->size[0], o->size[1],
                           is_xray                              ? 1
                           : job->stage.backdrop.is_transparent ? 4
@@ -138,10 +118,8 @@ static int draw_picture(struct job *job, struct output *out)
     if (status == 0)
         status = is_xray ? xray_picture(&drawing, &o->xray, job->stage.scene)
                          : trace(&drawing, &job->stage);
-    end_stage(job, "traced", pixels, "pixels");
     if (status == 0)
         status = picture_write(&picture, out);
-    end_stage(job, "wrote", pixels, "pixels");
     picture_free(&picture);
     return status;
 }
@@ -155,17 +133,14 @@ int main(int argc, char **argv)
     int status = read_options(&job.options, argc, argv);
     if (status != 0 || o->about)
         return status != 0 ? status : print_about(o->about);
-    job.last = seconds_of(CLOCK_MONOTONIC);
     const char *file = strcmp(o->output, "-") == 0 ? NULL : o->output;
     status =
         output_is_input(file, o->scene) ? EXIT_IO : output_open(&out, file, 1);
     if (status != 0)
         return status;
     status = prepare(&job);
-    if (status == 0) {
-        end_stage(&job, "read", job.stage.count, "shapes");
+    if (status == 0)
         status = draw_picture(&job, &out);
-    }
     const int closed = output_close(&out, status == 0);
     scene_free(&job.scene);
     free(job.colours);

@@ -140,8 +140,7 @@ static const struct option option_table[] = {
     {"colour", "HOW", read_paint, AT(colouring), colouring_words, 0,
      OF_SURFACES,
      "of shapes without a field #rrggbb in their records:\n"
-     "number, label, kind, connected, radius, height,\nelement, chain or "
-     "#rrggbb"},
+     "number, label, kind, radius, height, element, chain\nor #rrggbb"},
     {"shade", "HOW", read_word, AT(shading), shadings, 0, OF_SURFACES,
      "light (default), plain or normal"},
     {"light", "X,Y,Z", read_direction, AT(sun), direction, 0, OF_SURFACES,
@@ -157,8 +156,6 @@ static const struct option option_table[] = {
      "the ends of shapes whose records do not state them"},
     {"swc", "FORM", read_word, AT(swc), swc_forms, 0, 0,
      "the scene is a neuron, of cones (default) or round"},
-    {"progress", 0, read_flag, AT(shows_progress), 0, 1, 0,
-     "report the progress on standard error"},
     {"help", 0, read_about, AT(about), 0, 0, 0, NULL},
     {"version", 0, read_about, AT(about), 0, 0, 0, ""},
     {0}};

@@ -28,7 +28,6 @@ struct options {
     int size[2]; /* width and height */
     int samples;
     int workers; /* at most; 0: one per processor */
-    int shows_progress;
     struct viewing viewing;
     int has_sun;
     struct vector sun;      /* towards it */

@@ -150,7 +150,7 @@ int draw_rows(const struct drawing *d, row_function *draw, const void *how)
                      .draw = draw,
                      .how = how,
                      .lock = PTHREAD_MUTEX_INITIALIZER};
-    progress_start(&w.progress, d->shows_progress, -1, "rows", 0);
+    progress_start(&w.progress, 0, -1, "rows", 0);
     cylint_threads_share(d->workers, (size_t)d->picture->height, 1, 1,
                          draw_some, &w);
     progress_end(&w.progress);

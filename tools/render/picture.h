@@ -22,7 +22,6 @@ struct drawing {
     struct picture *picture;
     const struct view *view;
     int samples, workers;
-    int shows_progress; /* even if standard error is no terminal */
 };
 
 /* Computes row y, counted from the top, from what `how` points to.  Returns 0 if

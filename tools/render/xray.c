@@ -121,8 +121,6 @@ int xray_picture(const struct drawing *d, const struct xray *how,
         rays.lengths ? draw_rows(d, measure_row, &rays) : out_of_memory();
     if (status == 0)
         write_pixels(d->picture, how, &rays);
-    if (status == 0 && d->shows_progress)
-        fprintf(stderr, "%s: a pixel is %s\n", program, d->picture->note);
     free(rays.lengths);
     return status;
 }
