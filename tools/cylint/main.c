@@ -18,33 +18,24 @@ static int needs_labels(const struct options *o)
            o->not_label || o->rank || o->sum;
 }
 
-static int load_shapes(struct job *job)
-{
-    const struct options *o = job->options;
-    struct scene *scene = &job->scene;
-    scene->keeps_labels = needs_labels(o);
-    const int status = scene_open(scene);
-    if (status != NOT_SAVED)
-        return status;
-    scene->keeps_labels |= o->save != NULL;
-    return scene_read_text(scene);
-}
-
 /* No method needs the hierarchy. */
 static int read_scene(struct job *job)
 {
     const struct options *o = job->options;
-    int status = load_shapes(job);
-    job->groups.shapes = job->scene.count;
+    struct scene *scene = &job->scene;
+    scene->keeps_labels = needs_labels(o);
+    int status = scene_open(scene);
+    if (status == NOT_SAVED)
+        status = scene_read_text(scene);
+    job->groups.shapes = scene->count;
     if (status == 0 && (o->not_label || o->rank || o->sum))
-        status =
-            groups_make(&job->groups, &job->scene.labels, o->sum >= SUM_TOTAL);
+        status = groups_make(&job->groups, &scene->labels, o->sum >= SUM_TOTAL);
     if (o->sum)
         sum_fields(&job->options->fields, &job->groups);
     if (status == 0 && o->rank)
         status = groups_read_ranks(&job->groups, o->rank);
-    if (status == 0 && (!o->method || o->save))
-        status = scene_build(&job->scene, o->workers);
+    if (status == 0 && !o->method)
+        status = scene_build(scene, o->workers);
     return status;
 }
 
@@ -58,7 +49,7 @@ static int reads_terminal(const struct options *o)
 static int answer_input(struct job *job)
 {
     const struct options *o = job->options;
-    int status = o->scene && !o->save ? read_scene(job) : 0;
+    int status = o->scene ? read_scene(job) : 0;
     if (status != 0)
         return status;
     if (o->style.is_binary)
@@ -86,20 +77,21 @@ static int is_read_too(const struct options *o, const char *file)
     return is_input;
 }
 
-/* Whether --save and the answers have one file.  Prints a message if so. */
-static int is_saved_too(const struct options *o)
-{
-    return o->save && !o->only_saves &&
-           output_is_file(o->output, o->save,
-                          "is the file of both --save and the answers");
-}
-
+/* A saved scene is saved with its own labels. */
 static int save(struct job *job)
 {
     const struct options *o = job->options;
-    int status =
-        is_read_too(o, o->save) || is_saved_too(o) ? EXIT_IO : read_scene(job);
-    return status == 0 ? scene_save(&job->scene, o->save) : status;
+    struct scene *scene = &job->scene;
+    if (is_read_too(o, o->save))
+        return EXIT_IO;
+    int status = scene_open(scene);
+    if (status == NOT_SAVED) {
+        scene->keeps_labels = 1;
+        status = scene_read_text(scene);
+    }
+    if (status == 0)
+        status = scene_build(scene, o->workers);
+    return status == 0 ? scene_save(scene, o->save) : status;
 }
 
 static int write_text(struct job *job)
@@ -117,7 +109,7 @@ static int answer(struct job *job)
     const struct options *o = job->options;
     const size_t record =
         o->is_binary_in ? 8 * (size_t)numbers_of_record(&o->grammar) : 0;
-    if (is_read_too(o, o->output) || is_saved_too(o))
+    if (is_read_too(o, o->output))
         return EXIT_IO;
     int status = output_open(&job->out, o->output, 0);
     if (status != 0)
@@ -149,9 +141,7 @@ int main(int argc, char **argv)
     job.scene.file = options.scene;
     job.scene.ends = options.grammar.ends;
     job.scene.swc_form = options.swc;
-    status = options.save ? save(&job) : 0;
-    if (status == 0 && !options.only_saves)
-        status = answer(&job);
+    status = options.save ? save(&job) : answer(&job);
     scene_free(&job.scene);
     groups_free(&job.groups);
     return status;

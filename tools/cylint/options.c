@@ -90,8 +90,7 @@ static const struct option option_table[] = {
      "or a neuron: NAME.swc, or a file of --save\n"
      "SOLID: in=NAME[/CLAUSE] or out=NAME[/CLAUSE]"},
     {"save", "FILE", read_text, AT(save), 0, 0, NEEDS_SCENE,
-     "save the scene for other calls' -s; without input\n"
-     "files only that"},
+     "save the scene for other calls' -s, instead of answers"},
     {"text", 0, read_flag, AT(writes_text), 0, 1, NEEDS_SCENE,
      "write the scene as text instead of answers"},
     {"swc", "FORM", read_word, AT(swc), swc_forms, 0, NEEDS_SCENE,
@@ -242,13 +241,11 @@ static int uses_stdin(const struct options *o)
     return is_used;
 }
 
-/* Without files --save answers no records; otherwise standard input is read. */
 static int settle_files(struct options *o)
 {
     static char dash[] = "-";
     static char *standard_input[] = {dash};
     const int given_files = o->file_count > 0;
-    o->only_saves = o->save && !given_files;
     if (o->file_count == 0) {
         o->files = standard_input;
         o->file_count = 1;
@@ -256,16 +253,13 @@ static int settle_files(struct options *o)
     const struct rule rules[] = {
         {is_same_word(o->save, "-"),
          "--save: needs a file, not standard output"},
-        {o->scene && is_same_word(o->save, o->output),
-         "--save and -o name the same file"},
-        {o->scene && o->only_saves &&
-             (o->output || is_given(o, "q") || o->columns || o->kinds),
-         "--save: answers need an input file; - is standard input"},
-        {o->writes_text && o->scene &&
-             (o->save || given_files || is_given(o, "q") || o->columns ||
-              o->kinds || o->style.is_binary),
-         "--text writes the scene only: no answers, no --save"},
-        {is_same_word(o->scene, "-") && uses_stdin(o) && !o->only_saves &&
+        {o->scene && o->save && (o->output || o->writes_text),
+         "--save: the file of --save is the only output"},
+        {o->scene && (o->save || o->writes_text) &&
+             (given_files || is_given(o, "q") || o->columns || o->kinds ||
+              o->style.is_binary),
+         "--save and --text write the scene only: no answers"},
+        {is_same_word(o->scene, "-") && uses_stdin(o) && !o->save &&
              !o->writes_text,
          "the scene and the records are both standard input"},
         {0, NULL}};

@@ -29,8 +29,7 @@ struct options {
 
     struct grammar grammar;
     const char *scene; /* NULL: pairs */
-    const char *save;  /* the file to save the scene to, or NULL */
-    int only_saves;    /* answers no records */
+    const char *save;  /* the file to save the scene to, instead of answers */
     int writes_text;   /* the scene as text instead of answers */
     int swc;           /* enum swc_form of a neuron, or NOT_GIVEN */
     int accel;         /* enum accel */
