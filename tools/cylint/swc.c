@@ -67,21 +67,6 @@ static struct string bits_of(const uint64_t *number)
 
 /* ------------------------------------------------------------- one node -- */
 
-/* Other programs do not read SWC's numbers as hexadecimal. */
-static int is_hexadecimal(const struct reader *r)
-{
-    const int has_sign = r->p < r->end && (*r->p == '-' || *r->p == '+');
-    const char *digits = r->p + has_sign;
-    return r->end - digits > 1 && *digits == '0' && (digits[1] | 0x20) == 'x';
-}
-
-/* The end of the field if it is a decimal number, which may be infinite, else
- * NULL. */
-static const char *end_of_decimal(const struct reader *r, double *value)
-{
-    return is_hexadecimal(r) ? NULL : end_of_number(r->p, r->end, value);
-}
-
 /* Multiplies by a power of ten.  Returns 0 if the product has above 18 digits. */
 static int shift_digits(uint64_t *number, double places)
 {
@@ -99,12 +84,14 @@ static const char *read_size(const struct reader *r, uint64_t *size)
 {
     double exponent;
     int zeros = 0, places = 0, is_behind_point = 0;
-    const char *const after = end_of_decimal(r, &exponent), *p = r->p;
+    const char *const after = end_of_number(r->p, r->end, &exponent), *p = r->p;
     if (!after)
         return NULL;
     *size = 0;
     for (; p < after && (*p | 0x20) != 'e'; p++) {
         is_behind_point |= *p == '.';
+        if ((*p | 0x20) == 'x')
+            return NULL;
         if (!is_digit(*p))
             continue;
         places += is_behind_point;
@@ -138,16 +125,10 @@ static int read_node_number(struct reader *r, int is_parent, uint64_t *number)
     return 0;
 }
 
-static int read_decimal(struct reader *r, double *value)
-{
-    return is_hexadecimal(r) ? refuse_other_field(r, "a number")
-                             : read_numbers(r, value, 1);
-}
-
 static int read_radius(struct reader *r, double *radius)
 {
     struct reader at = *r;
-    return read_decimal(r, radius) ||
+    return read_numbers(r, radius, 1) ||
            (*radius < 0 && refuse_field(&at, "negative radius"));
 }
 
@@ -157,10 +138,7 @@ static int read_node(struct reader *r, struct swc_node *node)
     if (read_node_number(r, 0, &node->number))
         return EXIT_BAD;
     skip_field(r); /* the type */
-    for (int i = 0; i < 3; i++)
-        if (read_decimal(r, &node->ball[i]))
-            return EXIT_BAD;
-    if (read_radius(r, &node->ball[3]))
+    if (read_numbers(r, node->ball, 3) || read_radius(r, &node->ball[3]))
         return EXIT_BAD;
     node->line = r->notes->line;
     node->column = (unsigned long long)(r->p - r->notes->text) + 1;
