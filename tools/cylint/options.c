@@ -213,21 +213,6 @@ static int settle_needs(struct options *o)
     return 0;
 }
 
-/* A combination of options that is wrong. */
-struct rule {
-    int is_broken;
-    const char *message;
-};
-
-/* The last rule has no message. */
-static int check_rules(const struct rule *rules)
-{
-    for (; rules->message; rules++)
-        if (rules->is_broken)
-            return usage("%s", rules->message);
-    return 0;
-}
-
 static int is_same_word(const char *a, const char *b)
 {
     return a && b && strcmp(a, b) == 0;
@@ -235,53 +220,10 @@ static int is_same_word(const char *a, const char *b)
 
 static int uses_stdin(const struct options *o)
 {
-    int is_used = 0;
+    int is_used = o->file_count == 0;
     for (int i = 0; i < o->file_count; i++)
         is_used |= is_same_word(o->files[i], "-");
     return is_used;
-}
-
-static int settle_files(struct options *o)
-{
-    static char dash[] = "-";
-    static char *standard_input[] = {dash};
-    const int given_files = o->file_count > 0;
-    if (o->file_count == 0) {
-        o->files = standard_input;
-        o->file_count = 1;
-    }
-    const struct rule rules[] = {
-        {is_same_word(o->save, "-"),
-         "--save: needs a file, not standard output"},
-        {o->scene && o->save && (o->output || o->writes_text),
-         "--save: the file of --save is the only output"},
-        {o->scene && (o->save || o->writes_text) &&
-             (given_files || is_given(o, "q") || o->columns || o->kinds ||
-              o->style.is_binary),
-         "--save and --text write the scene only: no answers"},
-        {is_same_word(o->scene, "-") && uses_stdin(o) && !o->save &&
-             !o->writes_text,
-         "the scene and the records are both standard input"},
-        {0, NULL}};
-    if (is_same_word(o->output, "-"))
-        o->output = NULL;
-    return check_rules(rules);
-}
-
-static int settle_pieces(struct options *o)
-{
-    const struct rule rules[] = {
-        {is_same_word(o->rank, "-"),
-         "--rank: needs a file, not standard input"},
-        {o->sum && o->most_pieces > 0, "--first and --sum exclude each other"},
-        {o->sum && o->columns,
-         "-f and --sum exclude each other: the columns of --sum are labels"},
-        {is_given(o, "within") && o->query == QUERY_INSIDE,
-         "--within: the query inside has no radius"},
-        {o->radius < 0 && !o->signed_flag,
-         "--within: a radius below 0 needs --signed"},
-        {0, NULL}};
-    return check_rules(rules);
 }
 
 /* Sets why records may not have lines, points or not=NAME. */
@@ -364,10 +306,33 @@ static int settle_fields(struct options *o)
     return 0;
 }
 
-static int settle_binary(struct options *o)
+/* Combinations of options that are wrong. */
+static int check_combinations(struct options *o)
 {
     const int out = o->style.is_binary, in = o->is_binary_in;
-    const struct rule rules[] = {
+    const int only_writes = o->scene && (o->save || o->writes_text);
+    const struct {
+        int is_wrong;
+        const char *message;
+    } rules[] = {
+        {is_same_word(o->save, "-"),
+         "--save: needs a file, not standard output"},
+        {o->save && (o->output || o->writes_text),
+         "--save: the file of --save is the only output"},
+        {only_writes && (o->file_count > 0 || is_given(o, "q") || o->columns ||
+                         o->kinds || out),
+         "--save and --text write the scene only: no answers"},
+        {is_same_word(o->scene, "-") && uses_stdin(o) && !only_writes,
+         "the scene and the records are both standard input"},
+        {is_same_word(o->rank, "-"),
+         "--rank: needs a file, not standard input"},
+        {o->sum && o->most_pieces > 0, "--first and --sum exclude each other"},
+        {o->sum && o->columns,
+         "-f and --sum exclude each other: the columns of --sum are labels"},
+        {is_given(o, "within") && o->query == QUERY_INSIDE,
+         "--within: the query inside has no radius"},
+        {o->radius < 0 && !o->signed_flag,
+         "--within: a radius below 0 needs --signed"},
         {is_given(o, "x") && is_given(o, "p"), "-x and -p exclude each other"},
         {out && is_given(o, "x"), "-x: binary output has no digits"},
         {out && is_given(o, "p"), "-p: binary output has no digits"},
@@ -381,9 +346,11 @@ static int settle_binary(struct options *o)
          "-f label: binary output has numbers only"},
         {out && o->style.missing,
          "--miss: in binary output a missing value is NaN"},
-        {(in || out) && o->copies_comments, "-C: only text has comments"},
-        {0, NULL}};
-    return check_rules(rules);
+        {(in || out) && o->copies_comments, "-C: only text has comments"}};
+    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++)
+        if (rules[i].is_wrong)
+            return usage("%s", rules[i].message);
+    return 0;
 }
 
 /* The remarks to test for. */
@@ -398,9 +365,11 @@ static unsigned wanted_remarks(const struct options *o)
 
 static int settle(struct options *o)
 {
+    static char dash[] = "-";
+    static char *standard_input[] = {dash};
     static int (*const steps[])(struct options *) = {
-        settle_files,   settle_kinds,  settle_needs, settle_pieces,
-        settle_records, settle_fields, settle_binary};
+        settle_kinds, settle_needs, settle_records, settle_fields,
+        check_combinations};
     struct grammar *g = &o->grammar;
     int status = 0;
     g->has_line = 1;
@@ -414,6 +383,12 @@ static int settle(struct options *o)
     for (size_t i = 0; i < sizeof steps / sizeof *steps && status == 0; i++)
         status = steps[i](o);
     o->remarks = wanted_remarks(o);
+    if (o->file_count == 0) {
+        o->files = standard_input;
+        o->file_count = 1;
+    }
+    if (is_same_word(o->output, "-"))
+        o->output = NULL;
     return status;
 }
 
