@@ -252,7 +252,7 @@ def test_arrays_are_not_copied():
             (lambda: cylint.intersect(ROD, o, d), 20 + 48),
             (lambda: cylint.intersect(ROD, o[::-1, ::-1], d[:1]), 20 + 24),
             (lambda: scene.nearest(o, d), 17 + 8 + 48),
-            (lambda: scene.closest(o, within=2), 16 + 8 + 24),
+            (lambda: scene.closest(o, r=2), 16 + 8 + 24),
             (lambda: ROD.closest(o), 8 + 24),
             (lambda: cylint.intersect(ROD, *fixed), 20),
             (lambda: scene.nearest(*fixed), 17 + 8),

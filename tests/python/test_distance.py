@@ -40,11 +40,10 @@ def test_on_surface_counts_units_in_the_last_place():
     ball = cylint.sphere([0, 0, 0], 1)
     points = (1 + np.arange(-2, 4) * 2.0**-52)[:, None] * [1, 0, 0]
     assert ball.on_surface(points).tolist() == [0, 0, 1, 0, 0, 0]
-    assert ball.on_surface(points, [[1], [2]]).tolist() == [
-        [0, 0, 1, 1, 0, 0],  # below 1 the unit is half as large
-        [0, 1, 1, 1, 1, 0],
-    ]
-    assert not ball.on_surface(points, [-1, np.nan] * 3).any()
+    # below 1 the unit is half as large
+    assert ball.on_surface(points, 1).tolist() == [0, 0, 1, 1, 0, 0]
+    assert ball.on_surface(points, 2).tolist() == [0, 1, 1, 1, 1, 0]
+    assert not ball.on_surface(points, -1).any() and not ball.on_surface(points, np.nan).any()
     assert ball.on_surface([1, 0, 0]).shape == ()
 
 
@@ -84,12 +83,10 @@ def test_arguments_that_do_not_fit_are_named():
                 call(*points)
     for error, message, call in (
         (ValueError, r"shapes \(3,\), points \(2,\)", lambda: forest(5, 1)[:3].distance(two)),
-        (ValueError, r"points \(2,\), ulps \(3,\)", lambda: ROD.on_surface(two, three)),
-        (ValueError, r"points \(2,\), within \(3,\)", lambda: scene.closest(two, within=three)),
+        (ValueError, r"points \(2,\), r \(3,\)", lambda: scene.closest(two, r=three)),
         (ValueError, r"points \(2,\), r \(3,\)", lambda: scene.within(two, three)),
-        (TypeError, "argument: 'r'", lambda: scene.within([0, 0, 0])),
-        (TypeError, "within: expected real numbers", lambda: scene.closest([0, 0, 0], "far")),
-        (TypeError, "within: .*None", lambda: scene.closest([0, 0, 0], None)),
+        (TypeError, "r: expected real numbers", lambda: scene.closest([0, 0, 0], "far")),
+        (TypeError, "r: .*None", lambda: scene.closest([0, 0, 0], None)),
         (TypeError, "points: .*None", lambda: ROD.distance([0, None, 0])),
         (ValueError, "threads: expected at least 1", lambda: scene.within_count(two, 1, threads=0)),
     ):
@@ -114,7 +111,7 @@ def test_20000_points_equal_the_command(command, tmp_path, signed):
         distance=near.distance, x_y_z=near.point, nx_ny_nz=near.normal,
     )  # fmt: skip
     options += ["--within", radius]
-    near = scene.closest(points, within=radius, signed=signed)
+    near = scene.closest(points, r=radius, signed=signed)
     command(text, *options, shape=near.index + 1, distance=near.distance, x_y_z=near.point)
     assert 1000 < np.count_nonzero(near.index < 0) < 19_000
     assert 1000 < len(every.point)

@@ -51,8 +51,8 @@ def test_a_segment_has_no_directions_and_no_domain():
         cylint.intersect(ROD, [o, [0, 0, 1]], to=[0, 0, 1])
     with refused("expected Shapes, found int", TypeError):
         cylint.intersect(5, o, [0, 0, 1])
-    with refused(r"^within\(\) missing 1 required positional argument: 'r'$", TypeError):
-        cylint.Scene(ROD).within(o)
+    with refused(r"^within\(\) missing 1 required positional argument: 'points'$", TypeError):
+        cylint.Scene(ROD).within()
     with refused("to: expected the shape"):
         cylint.intersect(ROD, o, to=[0, 0])
 

@@ -40,8 +40,7 @@ OF_SHAPES = {
     "distance": lambda s, g: ([s.distance(g.o)],),
     "safety": lambda s, g: ([s.safety(g.o)],),
     "contains": lambda s, g: ([s.contains(g.o)],),
-    "on_surface": lambda s, g: ([s.on_surface(g.o, g.y)],),
-    "on_surface of one number": lambda s, g: ([s.on_surface(g.o, 8)],),
+    "on_surface": lambda s, g: ([s.on_surface(g.o, 8)],),
 }
 OF_SCENES = {
     "nearest": lambda s, g: (

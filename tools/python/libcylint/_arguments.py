@@ -313,29 +313,11 @@ class Points:
 class Balls(Points):
     """Points with radii, broadcast.  signed: compare signed distances."""
 
-    radii_name = "r"
-
     def __init__(
-        self, points: ArrayLike, r: ArrayLike, *, signed: bool = False,
+        self, points: ArrayLike, r: ArrayLike = np.inf, *, signed: bool = False,
         threads: int | None = None, progress: Progress | None = None,
     ) -> None:
         super().__init__(points, threads=threads, progress=progress)
-        self.radii = doubles(self.radii_name, r)
+        self.radii = doubles("r", r)
         self.signed = bool(signed)
-        self.shape = broadcast(
-            f"points {self.radii_name}", self.array[..., 0], self.radii
-        )
-
-
-class BallsWithin(Balls):
-    """Balls whose radii are named `within`."""
-
-    radii_name = "within"
-
-    def __init__(
-        self, points: ArrayLike, within: ArrayLike = np.inf, *, signed: bool = False,
-        threads: int | None = None, progress: Progress | None = None,
-    ) -> None:
-        super().__init__(
-            points, within, signed=signed, threads=threads, progress=progress
-        )
+        self.shape = broadcast("points r", self.array[..., 0], self.radii)

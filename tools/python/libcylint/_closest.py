@@ -38,7 +38,7 @@ class ClosestPoints(Described):
     def _write(self, columns: list[NDArray[Any] | None]) -> None:
         shapes, index = self._shapes
         points, threads = self._given.array, workers(self._given.threads)
-        _core.closest(shapes.kind, index, points, None, columns, threads, None)
+        _core.closest(shapes.kind, index, points, 0.0, columns, threads, None)
 
     part: NDArray[np.int8] = member(
         "(...) int8, a value of `Part`; -1 for none.", kind=np.int8

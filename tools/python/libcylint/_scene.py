@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import (
-    Balls, BallsWithin, Doubles, Lines, Points, Progress, SceneLines, broadcast, counted,
+    Balls, Doubles, Lines, Points, Progress, SceneLines, broadcast, counted,
     first_of, integers, positive, takes, whole, workers,
 )
 from ._closest import ClosestPoints, ShapesWithin
@@ -521,11 +521,11 @@ class Scene:
         """
         return Boundaries(*self._answer(_core.Scene.first_boundary, lines, "itvvbb"))
 
-    @takes(BallsWithin)
-    def closest(self, around: BallsWithin) -> ClosestShapes:
+    @takes(Balls)
+    def closest(self, around: Balls) -> ClosestShapes:
         """The shape whose surface is closest to each point.
 
-        points: (..., 3); within: (...), the greatest distance.  They broadcast.
+        points: (..., 3); r: (...), the greatest distance.  They broadcast.
         The absolute values of `Shapes.distance` are compared, so a point inside
         a shape is as far from it as from its surface.  Where shapes overlap, the
         closest surface can lie inside their union.  Of equal distances the lower
@@ -539,7 +539,7 @@ class Scene:
         distance from the union.  A negative radius is a depth.
 
         >>> posts = cylint.cylinder([[0, 0, 0], [4, 0, 0]], [[0, 0, 1], [4, 0, 1]], 1)
-        >>> near = cylint.Scene(posts).closest([[2.5, 0, 0.5], [3.5, 0, 0.5], [9, 0, 0.5]], within=3)
+        >>> near = cylint.Scene(posts).closest([[2.5, 0, 0.5], [3.5, 0, 0.5], [9, 0, 0.5]], r=3)
         >>> near.index, near.distance
         (array([ 1,  1, -1]), array([ 0.5, -0.5,  nan]))
         >>> near.point[0], near.normal[0]

@@ -283,15 +283,12 @@ class Shapes:
         return boxes.reshape(*self.shape, 2, 3)
 
     def _answer(
-        self, query: Any, points: Points, answer: Any, column: int, ulps: Any = None
+        self, query: Any, points: Points, answer: Any, column: int, ulps: float = 0.0
     ) -> NDArray[Any]:
         """Calls a function of _core for shapes and points, broadcast, which writes
         one of the columns."""
-        given = [self._records, points.array[..., 0]]
-        if ulps is not None:
-            given.append(ulps)
-        names = "shapes points" if ulps is None else "shapes points ulps"
-        answers = np.empty(broadcast(names, *given), answer)
+        axes = broadcast("shapes points", self._records, points.array[..., 0])
+        answers = np.empty(axes, answer)
         query(
             self.kind, None, points.array, ulps, [None] * column + [answers],
             workers(points.threads), points.progress,
@@ -367,12 +364,12 @@ class Shapes:
         return self._answer(_core.safety, points, np.float64, 0)
 
     def on_surface(
-        self, points: ArrayLike, ulps: ArrayLike = 0.0, *, threads: int | None = None,
+        self, points: ArrayLike, ulps: float = 0.0, *, threads: int | None = None,
         progress: Progress | None = None,
     ) -> NDArray[np.bool_]:
         """Whether points are on the surfaces: (...) bool.
 
-        points: (..., 3); ulps: (...).  They and the shapes broadcast.  True if
+        points: (..., 3), broadcast against the shapes.  True if
         abs(distance(points)) is at most `ulps` units in the last place of the
         largest coordinate of the point.  ulps = 0: exactly on the surface.
 
@@ -382,8 +379,7 @@ class Shapes:
         (array([ True, False]), array([ True,  True]))
         """
         given = Points(points, threads=threads, progress=progress)
-        most = doubles("ulps", ulps)
-        return self._answer(_core.on_surface, given, np.bool_, 1, most)
+        return self._answer(_core.on_surface, given, np.bool_, 1, ulps)
 
     def __reduce__(self) -> tuple[Any, ...]:
         kinds, numbers = self.reshape(self.size)._read()

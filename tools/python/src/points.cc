@@ -12,7 +12,7 @@ namespace
 {
 
 /* The numbers of the arrays in the grid; SHAPES: of the shapes or their numbers. */
-enum { POINTS, SHAPES, ULPS, COLUMNS };
+enum { POINTS, SHAPES, COLUMNS };
 enum { DISTANCE, PART, FEATURE, POINT, NORMAL };
 
 enum Query { CLOSEST, CONTAINS, SAFETY, ON_SURFACE };
@@ -21,8 +21,8 @@ enum Query { CLOSEST, CONTAINS, SAFETY, ON_SURFACE };
 class Block
 {
   public:
-    Block(Query q, const Input &of, const cylint_shape *shapes)
-        : query(q), step(last_step(of)), numbered(shapes)
+    Block(Query q, const Input &of, double most, const cylint_shape *shapes)
+        : query(q), step(last_step(of)), ulps(most), numbered(shapes)
     {
     }
 
@@ -32,10 +32,9 @@ class Block
         for (int axis = 0; axis < 3; axis++)
             part->read(xyz[axis], POINTS, axis * step);
         const ptrdiff_t stride = part->stride(SHAPES);
-        const bool singly = numbered || part->stride(ULPS) != 0;
-        if (!singly && stride == 0)
+        if (!numbered && stride == 0)
             answer(true, 0, part->size);
-        else if (!singly && stride == sizeof(cylint_shape))
+        else if (!numbered && stride == sizeof(cylint_shape))
             answer(false, 0, part->size);
         else
             for (size_t i = 0; i < part->size; i++)
@@ -59,8 +58,8 @@ class Block
                               : cylint_safety_pairs)(s, &p, distance + i);
         case ON_SURFACE:
             return (one_shape ? cylint_on_surface_points
-                              : cylint_on_surface_pairs)(
-                s, &p, part->value<double>(ULPS, i), small[PART] + i);
+                              : cylint_on_surface_pairs)(s, &p, ulps,
+                                                         small[PART] + i);
         default:
             const cylint_closest_columns to = columns(i);
             (one_shape ? cylint_distance_points : cylint_distance_pairs)(s, &p,
@@ -106,6 +105,7 @@ class Block
     const Part *part = nullptr;
     const Query query;
     const ptrdiff_t step;         /* of coordinates */
+    const double ulps;            /* of on_surface() */
     const cylint_shape *numbered; /* shapes that are numbered, or nullptr */
     double xyz[3][BLOCK], distance[BLOCK], vector[2][3][BLOCK];
     signed char small[FEATURE + 1][BLOCK];
@@ -117,21 +117,19 @@ class Block
  * `index` the shapes are numbered by it, and -1 stands for a refused shape.
  */
 template <Query query>
-void answer(Input shapes, std::optional<Input> index, Input points,
-            std::optional<Input> ulps, Outputs columns, int threads,
-            const Callback &progress)
+void answer(Input shapes, std::optional<Input> index, Input points, double ulps,
+            Outputs columns, int threads, const Callback &progress)
 {
     Grid grid;
     grid.add(points, 1);
     grid.add(index ? *index : shapes);
-    grid.add(ulps);
     columns.resize(NORMAL + 1);
     for (size_t k = 0; k < columns.size(); k++)
         grid.add(columns[k], k >= POINT);
     grid.finish(false);
     const cylint_shape *numbered = numbered_shapes(shapes, index);
     each_block(grid, threads, progress,
-               [&] { return Block(query, points, numbered); });
+               [&] { return Block(query, points, ulps, numbered); });
 }
 
 } // namespace
