@@ -20,11 +20,6 @@ static int is_bounded(const struct box *box)
     return 1;
 }
 
-struct vector box_middle(const struct box *box)
-{
-    return mixed(box->low, box->high, 0.5);
-}
-
 typedef double limit(double, double);
 
 /* fmin, fmax: the box encloses the other one; fmax, fmin: it is cut by it. */
@@ -42,7 +37,7 @@ static void measure_all(struct boxes *boxes)
     struct box all = NOWHERE;
     for (size_t i = 0; i < boxes->count; i++)
         combine(&all, &boxes->box[i], fmin, fmax);
-    boxes->middle = box_middle(&all);
+    boxes->middle = mixed(all.low, all.high, 0.5);
     boxes->size = length(minus(all.high, all.low));
 }
 

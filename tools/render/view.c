@@ -12,47 +12,25 @@ static const double MARGIN =
     1.06; /* size of the picture over that of the scene */
 static const double DEGREE = 0.017453292519943295;
 
-/* The default direction: from the side where the scene is thinnest, so much aside
- * and above, in degrees; a flat scene is viewed from above. */
+/* The default direction: along the shorter horizontal side of the scene, from so
+ * much aside and above, in degrees; a flat scene is viewed from above. */
 enum { ASIDE = 28, ABOVE = 14, ABOVE_FLAT = 32 };
 
 /* ------------------------------------------------- the default direction -- */
 
-/* Second moments of the middles of shapes, weighted by the lengths of their boxes,
- * along the horizontal directions u and v and the vertical one.  The unit is the
- * size of the scene. */
-struct spread {
-    double uu, uv, vv, ww;
-};
-
-static struct spread spread_of(const struct boxes *boxes, struct vector u,
-                               struct vector v, struct vector w)
+static double extent(const struct boxes *boxes, struct vector direction)
 {
-    struct spread s = {0, 0, 0, 0};
-    for (size_t i = 0; i < boxes->count; i++) {
-        const struct box *box = &boxes->box[i];
-        const double size = boxes->size;
-        const double weight = length(minus(box->high, box->low)) / size;
-        const struct vector p = minus(box_middle(box), boxes->middle);
-        const double x = dot(p, u) / size, y = dot(p, v) / size;
-        const double z = dot(p, w) / size;
-        s.uu += weight * x * x;
-        s.uv += weight * x * y;
-        s.vv += weight * y * y;
-        s.ww += weight * z * z;
-    }
-    return s;
+    return reach(boxes, direction) + reach(boxes, times(-1, direction));
 }
 
-/* The scene is thinnest along the eigenvector of the lesser eigenvalue.  Half the
- * angle of (uu - vv, 2 uv) is the direction of the other eigenvector. */
+/* u and v are horizontal; for the upward direction z they are x and y. */
 static struct vector default_side(const struct boxes *boxes, struct vector up)
 {
     const struct vector v = perpendicular(up), u = cross(v, up);
-    const struct spread s = spread_of(boxes, u, v, up);
-    const double longest = 0.5 * atan2(2 * s.uv, s.uu - s.vv);
-    const double turn = longest - 90 * DEGREE + ASIDE * DEGREE;
-    const double above = DEGREE * (4 * s.ww < s.uu + s.vv ? ABOVE_FLAT : ABOVE);
+    const double along_u = extent(boxes, u), along_v = extent(boxes, v);
+    const int is_flat = 2 * extent(boxes, up) < hypot(along_u, along_v);
+    const double turn = DEGREE * (along_u < along_v ? ASIDE : ASIDE - 90);
+    const double above = DEGREE * (is_flat ? ABOVE_FLAT : ABOVE);
     const struct vector horizontal = plus(times(cos(turn), u), sin(turn), v);
     return plus(times(cos(above), horizontal), sin(above), up);
 }

@@ -29,8 +29,6 @@ struct boxes {
 int boxes_make(struct boxes *boxes, const struct scene *scene);
 void boxes_free(struct boxes *boxes);
 
-struct vector box_middle(const struct box *box);
-
 /* The maximum of direction . point over all boxes. */
 double reach(const struct boxes *boxes, struct vector direction);
 
