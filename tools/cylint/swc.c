@@ -38,11 +38,8 @@ struct swc {
     struct swc_node *nodes; /* in the order of the file */
     size_t capacity;
     struct names numbers; /* of the nodes, in the same order; their bits */
-    size_t skipped[3];    /* of each, by enum skip */
+    size_t skipped;       /* those that give no shape */
 };
-
-/* Why a node gives no shape. */
-enum skip { SKIP_NO_LENGTH, SKIP_NO_RADIUS, SKIP_ROOT_OF_NO_RADIUS };
 
 const char *const swc_forms[] = {
     [SWC_CONES] = "cones", [SWC_ROUND] = "round", NULL};
@@ -220,30 +217,19 @@ static size_t find_parents(const struct swc *swc)
     return missing;
 }
 
-static void print_count(const char *name, size_t count, const char *what,
-                        const char *predicate)
-{
-    if (count > 0)
-        complain(EXIT_ANSWERED, name, "%llu %s%s %s", (unsigned long long)count,
-                 what, count == 1 ? "" : "s", predicate);
-}
-
 static int is_same_place(const double a[3], const double b[3])
 {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/* Returns the counter of the reason why the node gives no shape, or NULL if it
- * gives one.  A round cone without length is a ball.  parent: NULL for a root. */
-static size_t *skipped_by(struct swc *swc, const struct swc_node *node,
-                          const struct swc_node *parent)
+/* Whether the node gives a shape: it has a length, or is a ball, and a radius.  A
+ * round cone without length is a ball.  parent: NULL for a root. */
+static int has_shape(const struct swc *swc, const struct swc_node *node,
+                     const struct swc_node *parent)
 {
-    if (parent && swc->scene->swc_form != SWC_ROUND &&
-        is_same_place(node->ball, parent->ball))
-        return &swc->skipped[SKIP_NO_LENGTH];
-    if (node->ball[3] > 0 || (parent && parent->ball[3] > 0))
-        return NULL;
-    return &swc->skipped[parent ? SKIP_NO_RADIUS : SKIP_ROOT_OF_NO_RADIUS];
+    const int has_length = !parent || swc->scene->swc_form == SWC_ROUND ||
+                           !is_same_place(node->ball, parent->ball);
+    return has_length && (node->ball[3] > 0 || (parent && parent->ball[3] > 0));
 }
 
 /* parent: NULL for a root. */
@@ -277,10 +263,9 @@ static int convert_node(struct swc *swc, const struct swc_node *node)
         node->parent_index > 0 ? &swc->nodes[node->parent_index - 1] : NULL;
     if (!parent && swc->scene->swc_form != SWC_ROUND)
         return 0;
-    size_t *skipped = skipped_by(swc, node, parent);
-    if (!skipped)
+    if (has_shape(swc, node, parent))
         return add_shape(swc, node, parent);
-    ++*skipped;
+    swc->skipped++;
     return 0;
 }
 
@@ -289,20 +274,19 @@ static int add_shapes(struct swc *swc)
 {
     if (node_count(swc) == 0)
         return complain(EXIT_BAD, swc->scene->file, "no node was found");
+    const char *const file = swc->scene->file;
     const size_t missing = find_parents(swc);
     int status = refuse_cycles(swc);
     for (size_t i = 0; i < node_count(swc) && status == 0; i++)
         status = convert_node(swc, &swc->nodes[i]);
     if (status != 0)
         return status;
-    print_count(swc->scene->file, missing, "node",
-                missing == 1 ? "whose parent is not in the file is a root"
-                             : "whose parent is not in the file are roots");
-    for (int i = 0; i < 3; i++)
-        print_count(swc->scene->file, swc->skipped[i],
-                    i == SKIP_ROOT_OF_NO_RADIUS ? "root" : "edge",
-                    i == SKIP_NO_LENGTH ? "of no length skipped"
-                                        : "of no radius skipped");
+    if (missing > 0)
+        complain(0, file, "roots whose parents are not in the file: %llu",
+                 (unsigned long long)missing);
+    if (swc->skipped > 0)
+        complain(0, file, "nodes without a shape, of no length or radius: %llu",
+                 (unsigned long long)swc->skipped);
     return 0;
 }
 
