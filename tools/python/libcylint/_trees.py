@@ -64,14 +64,12 @@ def read_qsm(
     if "id" in table.names:
         at = table.names.index("id")
         labels = np.array([fields[at].strip() for _, fields in table.rows], str)
-    long = np.full(len(r), True) if round else (p0 != p1).any(axis=1)
-    for count, lack in (((~long).sum(), "length"), ((long & (r == 0)).sum(), "radius")):
-        if count > 0:
-            cylinders = "cylinder" if count == 1 else "cylinders"
-            warnings.warn(
-                f"{table.name}: {count} {cylinders} of no {lack} skipped", stacklevel=2
-            )
-    kept = long & (r != 0)
+    kept = (r != 0) & (round | (p0 != p1).any(axis=1))
+    if not kept.all():
+        count = np.count_nonzero(~kept)
+        warnings.warn(
+            f"{table.name}: cylinders left out, of no length or radius: {count}", stacklevel=2
+        )
     make = capsule if round else cylinder
     return make(p0[kept], p1[kept], r[kept], ends=ends).with_labels(labels[kept])
 
