@@ -184,19 +184,15 @@ void guard_standard_streams(void)
             (void)open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY);
 }
 
-int output_is_file(const char *file, const char *other, const char *fault)
+int output_is_input(const char *file, const char *input)
 {
     struct stat a, b;
     const int is_same =
         (file ? stat(file, &a) : fstat(1, &a)) == 0 && S_ISREG(a.st_mode) &&
-        (strcmp(other, "-") == 0 ? fstat(0, &b) : stat(other, &b)) == 0 &&
+        (strcmp(input, "-") == 0 ? fstat(0, &b) : stat(input, &b)) == 0 &&
         is_same_file(&a, &b);
-    return is_same && complain(EXIT_IO, shown_name(file), "%s", fault);
-}
-
-int output_is_input(const char *file, const char *input)
-{
-    return output_is_file(file, input, "is both input and output");
+    return is_same &&
+           complain(EXIT_IO, shown_name(file), "is both input and output");
 }
 
 /* Reports a closed standard output even if there is no output. */

@@ -34,10 +34,8 @@ void guard_standard_streams(void);
 /* open(), repeated if a signal interrupts it. */
 int open_file(const char *name, int flags, unsigned mode);
 
-/* Whether file (NULL: standard output) and other ("-": standard input) are one
- * regular file.  Prints the fault if so. */
-int output_is_file(const char *file, const char *other, const char *fault);
-/* The same, where the other one is an input. */
+/* Whether file (NULL: standard output) and input ("-": standard input) are one
+ * regular file.  Prints a message if so. */
 int output_is_input(const char *file, const char *input);
 
 /* All return 0, or an exit status after a message.  A command has one output
