@@ -44,8 +44,7 @@ struct contest {
     const void *input;  /* of both, */
     const void *others; /* or of the rival, if this is not NULL */
     int questions;
-    double
-        units; /* of work in a question; times are per unit; 0 stands for 1 */
+    double units;          /* of work in a question; 0 stands for 1 */
     int is_shuffled;       /* also in a new random order each turn */
     int only_best_kernels; /* measured with the best kernels only */
 };

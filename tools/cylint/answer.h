@@ -31,9 +31,8 @@ struct job {
 
     pthread_mutex_t order;
     pthread_cond_t changed;
-    unsigned long long
-        next_written; /* the ticket of the block that is written next */
-    int has_ended;    /* nothing is written any more */
+    unsigned long long next_written; /* the ticket of the next block */
+    int has_ended;                   /* nothing is written any more */
 
     struct output out;
     struct report report;

@@ -43,7 +43,7 @@ struct fields {
     const struct column *column[MOST_FIELDS];
     size_t count;
     const struct groups
-        *sums;       /* of --sum: in place of column[], a sum of each */
+        *sums;       /* of --sum, in place of column[]: a sum of each */
     int label_count; /* of columns that are labels */
     int has_count;   /* a column is a count */
     int has_solids;  /* a column is about the solids that hold a point */

@@ -49,8 +49,7 @@ extern const char *const ends_words[]; /* in cylint_ends' order, then NULL */
 struct grammar {
     int has_line, has_shape;
     int line; /* enum line_kind by -k, or NOT_GIVEN: a word names it */
-    /* why a line, a point or not=NAME is wrong; NULL: it is not; "": no record has
-     * one, by -k */
+    /* why a line, a point or not=NAME is wrong, or NULL; "": -k excludes it */
     const char *no_lines, *no_points, *no_left_out;
     int shape; /* its number likewise */
     int ends;  /* cylint_ends by --ends; NOT_GIVEN: capped, acone infinite */

@@ -45,8 +45,7 @@ struct input {
     unsigned long long bytes_stated;   /* by the header, behind it */
     unsigned long long bytes_returned; /* in blocks, of this file */
     int read_errno; /* of a read: reported after the records before it; or 0 */
-    int end_fd; /* a descriptor: its end of file ends the waiting for input; -1:
-                   none */
+    int end_fd;     /* whose end of file ends the waiting for input; or -1 */
 
     unsigned long long bytes_read; /* so far, of all files */
     double total;                  /* bytes of all files; 0: unknown */

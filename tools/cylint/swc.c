@@ -28,8 +28,7 @@ struct swc_node {
     double ball[4];                  /* centre and radius */
     unsigned long long line, column; /* of the parent's number */
     size_t parent_index;             /* from 1; 0: a root */
-    size_t
-        path_start; /* the first node, from 1, whose ancestor this is; 0: none */
+    size_t path_start; /* the node whose path first came here, from 1; or 0 */
 };
 
 /* The nodes of a file, which become shapes of a scene. */

@@ -8,8 +8,8 @@
 #include "sampling.h"
 #include "view.h"
 
-static const double MARGIN =
-    1.06; /* size of the picture over that of the scene */
+/* The size of the picture over that of the scene. */
+static const double MARGIN = 1.06;
 static const double DEGREE = 0.017453292519943295;
 
 /* The default direction: along the shorter horizontal side of the scene, from so

@@ -12,9 +12,9 @@
 #include "inputs.h"
 
 struct lean {
-    double base[3],
-        axis[3];      /* axis: unit; elliptic: a row of the inverse; capsule,
-                                round cone: w = p1 - p0 */
+    double base[3];
+    /* unit; elliptic: a row of the inverse; capsule, round cone: w = p1 - p0 */
+    double axis[3];
     double row[2][3]; /* elliptic: the inverse's other rows */
     double height; /* infinite where there is none; capsule, round cone: w.w */
     double r0, r0_squared;
