@@ -73,18 +73,10 @@ int colour_of_element(struct string label, uint32_t *colour)
     return 1;
 }
 
-int number_of_chain(struct string label, size_t *number)
+int chain_of(struct string label, struct string *chain)
 {
-    static const char digits[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789";
     struct atom atom;
-    size_t n = 0;
-    if (!read_atom(label, &atom))
-        return 0;
-    for (size_t i = 0; i < atom.field[0].length; i++) {
-        const char *digit = strchr(digits, atom.field[0].text[i]);
-        n = 63 * n + (digit ? (size_t)(digit - digits) + 1 : 0);
-    }
-    *number = n > 0 ? n - 1 : 0;
-    return 1;
+    const int is_atom = read_atom(label, &atom);
+    *chain = atom.field[0];
+    return is_atom;
 }

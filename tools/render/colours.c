@@ -103,35 +103,37 @@ static uint32_t colour_in_tail(struct string tail)
     return NO_COLOUR;
 }
 
-/* By the first field of the tail, the label of an atom or bond. */
-static uint32_t colour_of_atom(enum colouring how, struct string tail)
-{
-    const struct string label = first_field(tail);
-    uint32_t colour;
-    size_t chain;
-    if (how == COLOUR_ELEMENT && colour_of_element(label, &colour))
-        return colour;
-    return how == COLOUR_CHAIN && number_of_chain(label, &chain)
-               ? colour_of_number(chain)
-               : NO_COLOUR;
-}
-
-static uint32_t hash_of_text(struct string s)
-{
-    uint32_t hash = 0;
-    for (size_t i = 0; i < s.length; i++)
-        hash = hash_words(hash, (unsigned char)s.text[i]);
-    return hash;
-}
-
 /* A scene that is being coloured. */
 struct colours {
     const struct scene *scene;
     enum colouring how;
     struct vector up;
-    uint32_t one; /* the colour for COLOUR_ONE */
-    uint32_t *of; /* the colour of each shape, or NO_COLOUR */
+    uint32_t one;       /* the colour for COLOUR_ONE */
+    uint32_t *of;       /* the colour of each shape, or NO_COLOUR */
+    struct names names; /* the labels or chains so far */
+    int has_failed;     /* there was no memory for a name */
 };
+
+/* Names have the colours of the palette in the order in which they come. */
+static uint32_t colour_of_name(struct colours *c, struct string name)
+{
+    size_t number = 0;
+    c->has_failed |= !names_add(&c->names, name, &number);
+    return colour_of_number(number);
+}
+
+/* By the first field of the tail, the label of an atom or bond. */
+static uint32_t colour_of_atom(struct colours *c, struct string tail)
+{
+    const struct string label = first_field(tail);
+    struct string chain;
+    uint32_t colour;
+    if (c->how == COLOUR_ELEMENT && colour_of_element(label, &colour))
+        return colour;
+    return c->how == COLOUR_CHAIN && chain_of(label, &chain)
+               ? colour_of_name(c, chain)
+               : NO_COLOUR;
+}
 
 static void read_tails(struct colours *c)
 {
@@ -139,7 +141,7 @@ static void read_tails(struct colours *c)
         const struct string tail = labels_get(&c->scene->labels, i);
         c->of[i] = colour_in_tail(tail);
         if (c->of[i] == NO_COLOUR)
-            c->of[i] = colour_of_atom(c->how, tail);
+            c->of[i] = colour_of_atom(c, tail);
     }
 }
 
@@ -190,16 +192,15 @@ static void by_measure(struct colours *c)
     }
 }
 
-static uint32_t colour_of_shape(const struct colours *c, size_t i)
+static uint32_t colour_of_shape(struct colours *c, size_t i)
 {
+    const struct string label = labels_get(&c->scene->labels, i);
     cylint_shape shape;
-    uint32_t label;
     switch (c->how) {
     case COLOUR_NUMBER:
         return colour_of_number(i);
     case COLOUR_LABEL:
-        label = hash_of_text(labels_get(&c->scene->labels, i));
-        return label ? colour_of_number(label) : c->one;
+        return label.length > 0 ? colour_of_name(c, label) : c->one;
     case COLOUR_KIND:
         cylint_scene_shape(c->scene->shapes, i, &shape);
         return colour_of_number((size_t)shape.kind);
@@ -248,8 +249,12 @@ uint32_t *colours_make(const struct scene *scene, enum colouring how,
     read_tails(&c);
     if (how == COLOUR_RADIUS || how == COLOUR_HEIGHT)
         by_measure(&c);
-    if (colour_others(&c) == 0)
+    const int status = colour_others(&c);
+    names_free(&c.names);
+    if (status == 0 && !c.has_failed)
         return c.of;
     free(c.of);
+    if (status == 0)
+        out_of_memory();
     return NULL;
 }

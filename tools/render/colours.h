@@ -49,8 +49,7 @@ unsigned char byte_of_light(double light);
  * the text is no label of an atom or bond. */
 int colour_of_element(struct string label, uint32_t *colour);
 
-/* Writes the number of the chain of an atom or a bond's first atom: A is 0, B is 1.
- * Returns 0 likewise. */
-int number_of_chain(struct string label, size_t *number);
+/* Writes the chain of an atom or of a bond's first atom.  Returns 0 likewise. */
+int chain_of(struct string label, struct string *chain);
 
 #endif
