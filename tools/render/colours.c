@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "colours.h"
-#include "sampling.h"
 #include "../../src/shapes/shape_facts.h"
 
 const char *const colouring_words[] = {"number", "label",  "kind",
