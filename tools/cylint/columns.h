@@ -42,8 +42,8 @@ enum { MOST_FIELDS = 256 };
 struct fields {
     const struct column *column[MOST_FIELDS];
     size_t count;
-    const struct groups
-        *sums;       /* of --sum, in place of column[]: a sum of each */
+    /* of --sum, in place of column[]: a sum of each */
+    const struct groups *sums;
     int label_count; /* of columns that are labels */
     int has_count;   /* a column is a count */
     int has_solids;  /* a column is about the solids that hold a point */

@@ -310,7 +310,7 @@ static int settle_fields(struct options *o)
 static int check_combinations(struct options *o)
 {
     const int out = o->style.is_binary, in = o->is_binary_in;
-    const int only_writes = o->scene && (o->save || o->writes_text);
+    const int only_writes = o->save || o->writes_text;
     const struct {
         int is_wrong;
         const char *message;
