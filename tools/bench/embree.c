@@ -145,23 +145,9 @@ static void release(struct world *w, int is_ours)
 
 /* ----------------------------------------------------------------- turns -- */
 
-static void set_ray(struct RTCRay *to, int i)
-{
-    const double *o = in.line[i].o, *d = in.line[i].d;
-    *to = (struct RTCRay){.org_x = (float)o[0],
-                          .org_y = (float)o[1],
-                          .org_z = (float)o[2],
-                          .dir_x = (float)d[0],
-                          .dir_y = (float)d[1],
-                          .dir_z = (float)d[2],
-                          .tfar = HUGE_VALF,
-                          .mask = 0xFFFFFFFFu};
-}
-
 static unsigned nearest_of(const struct world *w, int i, float *t)
 {
-    struct RTCRayHit at;
-    set_ray(&at.ray, i);
+    struct RTCRayHit at = {.ray = embree_ray(&in.line[i])};
     at.hit.geomID = at.hit.primID = RTC_INVALID_GEOMETRY_ID;
     embree_nearest(w->scene, &at);
     *t = at.ray.tfar;
@@ -176,8 +162,7 @@ static inline double t_of(const struct world *w, int i)
 
 static inline int any_of(const struct world *w, int i)
 {
-    struct RTCRay ray;
-    set_ray(&ray, i);
+    struct RTCRay ray = embree_ray(&in.line[i]);
     embree_any(w->scene, &ray);
     return ray.tfar < 0;
 }
@@ -197,8 +182,7 @@ static double nearest_in_packets(const void *worlds, const int *order, int n)
     double sum = 0;
     for (int k = 0; k + LANES <= n; k += LANES) {
         for (int i = 0; i < LANES; i++) {
-            struct RTCRay one;
-            set_ray(&one, order[k + i]);
+            const struct RTCRay one = embree_ray(&in.line[order[k + i]]);
             for (size_t m = 0; m < sizeof one / 4; m++)
                 memcpy((char *)&all.ray + 4 * (LANES * m + (size_t)i),
                        (const char *)&one + 4 * m, 4);

@@ -7,6 +7,7 @@
 #ifndef BENCH_EMBREE_H
 #define BENCH_EMBREE_H
 
+#include <math.h>
 #include <stddef.h>
 
 #include "cylint.h"
@@ -30,6 +31,20 @@ extern struct RTCIntersectContext embree_single, embree_coherent;
 
 /* A device of one thread, which ends the program if Embree fails. */
 RTCDevice embree_device(void);
+
+/* A ray of floats, as the line's are. */
+static inline struct RTCRay embree_ray(const cylint_line *line)
+{
+    const double *o = line->o, *d = line->d;
+    return (struct RTCRay){.org_x = (float)o[0],
+                           .org_y = (float)o[1],
+                           .org_z = (float)o[2],
+                           .dir_x = (float)d[0],
+                           .dir_y = (float)d[1],
+                           .dir_z = (float)d[2],
+                           .tfar = HUGE_VALF,
+                           .mask = 0xFFFFFFFFu};
+}
 
 struct embree_chords *embree_chords_new(const cylint_shape *cylinders,
                                         size_t n);

@@ -84,14 +84,7 @@ static void collect(const struct RTCOccludedFunctionNArguments *args)
 double embree_chords_union(const struct embree_chords *scene,
                            const cylint_line *ray)
 {
-    struct RTCRay r = {.org_x = (float)ray->o[0],
-                       .org_y = (float)ray->o[1],
-                       .org_z = (float)ray->o[2],
-                       .dir_x = (float)ray->d[0],
-                       .dir_y = (float)ray->d[1],
-                       .dir_z = (float)ray->d[2],
-                       .tfar = HUGE_VALF,
-                       .mask = 0xFFFFFFFFu};
+    struct RTCRay r = embree_ray(ray);
     double end = -1, sum = 0;
     found.ray = ray;
     found.n = 0;
