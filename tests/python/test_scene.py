@@ -245,7 +245,7 @@ def test_faults_of_files_are_raised(tmp_path):
                 read(path, **named)
     orphan = written("orphan.swc", "1 1 0 0 0 2 7\n2 3 0 0 10 1 1\n")
     for read in (cylint.read_scene, cylint.Scene.read):
-        with pytest.warns(UserWarning, match="1 node whose parent is not in") as said:
+        with pytest.warns(UserWarning, match="roots whose parents are not in the file: 1$") as said:
             assert len(read(orphan)) == 1
         assert said[0].filename == __file__
     assert cylint.read_scene(tube, ends="open").ends.tolist() == [cylint.Ends.OPEN]
