@@ -240,12 +240,9 @@ class Lines:
         self.arrays = tuple(map(owned, self.arrays))  # type: ignore[assignment]
         self.progress = None
 
-    def core(self) -> _core.Lines:
+    def core(self, shapes: int | None = None) -> _core.Lines:
+        """shapes: the number of them in a scene, to be checked."""
         return _core.Lines(*self.arrays, self.left_out, self.segments, self.masked)
-
-    def core_of(self, shapes: int) -> _core.Lines:
-        """Lines for a scene with so many shapes."""
-        return self.core()
 
     def refuse(self) -> ValueError:
         """The error that names the first refused line and the reason."""
@@ -274,15 +271,15 @@ class SceneLines(Lines):
             lines = np.broadcast_to(_NONE, self.shape)
             self.shape = broadcast("lines exclude", lines, self.left_out)
 
-    def core_of(self, shapes: int) -> _core.Lines:
-        if self.left_out is not _NONE:
+    def core(self, shapes: int | None = None) -> _core.Lines:
+        if shapes is not None and self.left_out is not _NONE:
             numbers = self.left_out
             wrong = (numbers < -1) | (numbers >= shapes)
             if wrong.any():
                 raise IndexError(
                     f"{first_of('exclude', numbers, wrong)}, the scene has {shapes} shapes"
                 )
-        return self.core()
+        return super().core()
 
 
 class Points:
@@ -300,8 +297,7 @@ class Points:
         self.threads = threads
         self.progress = progress
 
-    def core_of(self, shapes: int) -> _core.Balls:
-        """Points for a scene with so many shapes."""
+    def core(self, shapes: int) -> _core.Balls:
         return _core.Balls(self.array, self.radii, self.signed)
 
     def keep(self) -> None:

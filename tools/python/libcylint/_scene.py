@@ -289,7 +289,7 @@ class Scene:
             columns = [np.empty(given.shape, _TYPES[kind]) for kind in columns]
         rows = columns if isinstance(columns, np.dtype) else None
         found = query(
-            self._scene, given.core_of(len(self)), rule, columns if rows is None else [],
+            self._scene, given.core(len(self)), rule, columns if rows is None else [],
             workers(given.threads), given.progress,
         )
         if found is None:
