@@ -241,7 +241,7 @@ class Lines:
         self.progress = None
 
     def core(self, shapes: int | None = None) -> _core.Lines:
-        """shapes: the number of them in a scene, to be checked."""
+        """shapes: how many the scene has, which bounds `exclude`."""
         return _core.Lines(*self.arrays, self.left_out, self.segments, self.masked)
 
     def refuse(self) -> ValueError:
