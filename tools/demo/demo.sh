@@ -36,18 +36,17 @@ echo "A laser scanner among the trees, one ray a line, in $out/rays.txt:"
 echo
 sed -n 1,3p "$out/rays.txt"
 echo
-echo "Which shape does each ray hit first, at which distance, on which part, and"
-echo "at which height above the ground?"
+echo "At which distance does each ray hit something, on which part, at which height"
+echo "above the ground, and of what?"
 echo
-echo "\$ cylint -s forest.scene -f shape,t,part,z rays.txt > answers.txt"
+echo "\$ cylint -s forest.scene -f t,part,z,label rays.txt > answers.txt"
 started=$(now)
-"$cylint" -s "$out/forest.scene" -f shape,t,part,z "$out/rays.txt" \
+"$cylint" -s "$out/forest.scene" -f t,part,z,label "$out/rays.txt" \
     > "$out/answers.txt"
 ended=$(now)
 seconds=$($awk -v a="$started" -v b="$ended" 'BEGIN { printf "%.3f", b - a }')
 $awk -v columns=$columns -v rows=$rows -v wide=4 -v high=2 \
-    -v seconds="$seconds" -f "$here/report.awk" \
-    "$out/forest.scene" "$out/answers.txt"
+    -v seconds="$seconds" -f "$here/report.awk" "$out/answers.txt"
 
 # A picture in colours, if cylint-render was built.
 [ -x "$build/cylint-render" ] || exit 0

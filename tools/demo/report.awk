@@ -1,7 +1,7 @@
 # report.awk - shows a scan: some answers, the range image as text, and the totals
 #
-# Reads a scene of forest.awk, and the answers of `cylint -f shape,t,part,z` with labels
-# `column row`.  Prints the first hit on each part of each kind of shape; then an image,
+# Reads the answers of `cylint -f t,part,z,label` with the tail `column row`; a shape's
+# label is `spruce7-stem #rrggbb`.  Prints the first hit on each part of each kind of shape; then an image,
 # whose characters show the nearest hit of wide x high rays: a tree by its range, near
 # to far in `shades`, the ground as a dot, the sky as a blank.  `seconds` is the time of
 # the command, 0 if the clock is too coarse.
@@ -10,36 +10,29 @@ BEGIN {
     shades = "@#%*+=-:"
     nearest_shown = 7
     farthest_shown = 31
-    print_row("shape", "t", "part", "z", "column row", "label")
+    print_row("t", "part", "z", "column row", "label")
 }
 
-FNR == 1 { files++ }
-
-files == 1 && !/^#/ {
-    label[++shapes] = $(NF - 1) # before the colour
-}
-
-files == 2 { rays++ }
-
-files == 2 && $1 > 0 {
+$1 != "nan" {
     hits++
-    kind = kind_of(label[$1])
-    if (!((kind, $3) in shown))
-        print_row($1, $2, $3, $4, $5 " " $6, label[$1])
-    shown[kind, $3] = 1
-    cell = int($5 / wide) "," int($6 / high)
+    kind = $4
+    sub(/.*-/, "", kind)
+    if (!((kind, $2) in shown))
+        print_row($1, $2, $3, $(NF - 1) " " $NF, $4)
+    shown[kind, $2] = 1
+    cell = int($(NF - 1) / wide) "," int($NF / high)
     if (kind == "ground")
         ground[cell] = 1
-    else if (!(cell in nearest_in) || $2 < nearest_in[cell])
-        nearest_in[cell] = $2
-    parts[$3]++
-    if (hits == 1 || $2 < nearest)
-        nearest = $2
-    if ($2 > farthest)
-        farthest = $2
-    if (hits == 1 || $4 > height) {
-        height = $4
-        tallest = label[$1]
+    else if (!(cell in nearest_in) || $1 < nearest_in[cell])
+        nearest_in[cell] = $1
+    parts[$2]++
+    if (hits == 1 || $1 < nearest)
+        nearest = $1
+    if ($1 > farthest)
+        farthest = $1
+    if (hits == 1 || $3 > height) {
+        height = $3
+        tallest = $4
     }
 }
 
@@ -48,12 +41,12 @@ END {
         print "report.awk: no ray hit anything" | "cat 1>&2"
         exit 1
     }
-    printf "\nThe same %d answers as a picture:\n\n", rays
+    printf "\nThe same %d answers as a picture:\n\n", NR
     for (row = 0; row < rows / high; row++)
         print row_of_picture()
     print legend()
     printf "\nrays %d, hits %d (%.1f %%), sky %d\n",
-           rays, hits, 100 * hits / rays, rays - hits
+           NR, hits, 100 * hits / NR, NR - hits
     printf "range: nearest %.3f m, farthest %.3f m\n", nearest, farthest
     printf "tallest hit: %.3f m, on %s\n", height, tallest
     printf "part hit: lateral %d, cap0 %d, cap1 %d\n\n",
@@ -61,17 +54,9 @@ END {
     print "time: " time()
 }
 
-# The label spruce7-stem is of the kind `stem`.
-function kind_of(text)
+function print_row(t, part, z, ray, label)
 {
-    sub(/.*-/, "", text)
-    return text
-}
-
-function print_row(shape, t, part, z, ray, name)
-{
-    printf "%-5s  %-18s  %-7s  %-22s  %-10s  %s\n", shape, t, part, z, ray,
-           name
+    printf "%-18s  %-7s  %-22s  %-10s  %s\n", t, part, z, ray, label
 }
 
 function row_of_picture(   column, text)
@@ -109,6 +94,6 @@ function time()
 {
     if (seconds <= 0)
         return "too short for this clock"
-    return sprintf("%.2f s, %.0f rays/s against %d shapes, reading and " \
-                   "writing text", seconds, rays / seconds, shapes)
+    return sprintf("%.2f s, %.0f rays/s, reading and writing text", seconds,
+                   NR / seconds)
 }
