@@ -55,7 +55,7 @@ bench-python: $(rivals)/package ## the Python package beside Open3D, fetched by 
 	$(call rivals_of,trimesh open3d)
 	@$(call to_csv,python,$(rivals)/bin/python tools/bench/python.py $(quick))
 
-# The version of a wheel whose objects geant4.py can read.
+# geant4.py can read the objects of this version of the wheel.
 $(BUILD)/tools/bench/rivals/geant4.o: extra += -fPIC
 $(BUILD)/tools/bench/geant4.so: $(BUILD)/tools/bench/rivals/geant4.o $(BUILD)/libcylint.a
 	$(call say,LD $@)$(CC) $(CFLAGS) $(LDFLAGS) -shared -o $@ $^ -lm
