@@ -46,8 +46,10 @@ static void remove_and_die(int number)
     raise(number);
 }
 
-static const int deadly[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGPIPE,
-                             SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU};
+/* SIGBUS: a saved scene has become shorter. */
+static const int deadly[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGPIPE, SIGTERM,
+                             SIGUSR1, SIGUSR2, SIGXCPU, SIGALRM, SIGVTALRM,
+                             SIGPROF, SIGSYS,  SIGABRT, SIGBUS};
 
 static void block_deadly(sigset_t *before)
 {
