@@ -113,7 +113,7 @@ typedef struct {
     float least[3], per_bin[3];
 } scale;
 
-static scale scale_of(const range *r)
+static scale bin_scale(const range *r)
 {
     const cylint_extent e = extent_of(r->centers);
     scale s;
@@ -127,8 +127,8 @@ static scale scale_of(const range *r)
 }
 
 /* Counted in bins, from the first. */
-static inline float place_of(const cylint_boxed_piece *b, const scale *s,
-                             int axis)
+static inline float bin_place(const cylint_boxed_piece *b, const scale *s,
+                              int axis)
 {
     return (key(b, axis) - s->least[axis]) * s->per_bin[axis];
 }
@@ -150,7 +150,7 @@ static size_t fill(bins *b, const scale *s, const range *r, size_t every)
     for (size_t i = 0; i < r->n; i += every, n++) {
         const bounds h = bounds_of(&r->boxes[i]);
         EACH(j, 3) {
-            const int bin = (int)place_of(&r->boxes[i], s, j);
+            const int bin = (int)bin_place(&r->boxes[i], s, j);
             b->box[j][bin] = joined(b->box[j][bin], h);
             b->n[j][bin]++;
         }
@@ -235,7 +235,7 @@ static size_t partition(cylint_boxed_piece *boxes, size_t n, const scale *s,
         const cylint_boxed_piece box = boxes[i];
         boxes[i] = boxes[left];
         boxes[left] = box;
-        left += place_of(&box, s, axis) < (float)bin;
+        left += bin_place(&box, s, axis) < (float)bin;
     }
     return left;
 }
@@ -259,7 +259,7 @@ enum { NEARBY = 512 };
 ASIDE size_t divide(const range *r)
 {
     const size_t n = r->n;
-    const scale s = scale_of(r);
+    const scale s = bin_scale(r);
     cut_plan best = {FLT_MAX, -1, 0};
     bins b;
     const size_t filled = fill(&b, &s, r, n / SAMPLES + 1);

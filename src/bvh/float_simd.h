@@ -123,7 +123,7 @@ static inline vf f_flipped(vf x, vf y)
     return MM(xor_ps)(x, MM(and_ps)(MM(set1_ps)(-0.0f), y));
 }
 static inline vf f_sqrt(vf x) { return MM(sqrt_ps)(x); }
-static inline unsigned m_bits(vm m) { return (unsigned)MM(movemask_ps)(m); }
+static inline unsigned f_bits(vm m) { return (unsigned)MM(movemask_ps)(m); }
 static inline vi i_or_where(vi x, vm m, vi y)
 {
     return MM_BITS(or)(x, MM_BITS(and)(MM_BITS(castps)(m), y));
@@ -160,7 +160,7 @@ static inline vf f_abs(vf x) { return fabsf(x); }
 static inline vf f_flipped(vf x, vf y) { return y < 0 ? -x : x; }
 static inline vf f_sqrt(vf x) { return sqrtf(x); }
 static inline vm m_not_greater(vf x, vf y) { return !(x > y); }
-static inline unsigned m_bits(vm m) { return m; }
+static inline unsigned f_bits(vm m) { return m; }
 static inline vf m_select(vm m, vf x, vf y) { return m ? x : y; }
 static inline vi i_set(uint32_t x) { return x; }
 static inline vi i_or_where(vi x, vm m, vi y) { return m ? x | y : x; }
@@ -214,7 +214,7 @@ static inline unsigned i_highest(const uint32_t x[8])
 /* The lanes (bits) where x > y is false. */
 static inline unsigned f_not_greater(vf x, vf y)
 {
-    return m_bits(m_not_greater(x, y));
+    return f_bits(m_not_greater(x, y));
 }
 
 #undef MM

@@ -16,8 +16,8 @@ typedef struct {
     uint32_t enter[CYLINT_CHILDREN];
 } child_hits;
 
-CYLINT_INLINE entry entry_of(const child_hits *hits, const cylint_node *node,
-                             int i)
+CYLINT_INLINE entry keyed_entry(const child_hits *hits, const cylint_node *node,
+                                int i)
 {
     return (entry){keyed_child(hits->enter[i], node->child[i])};
 }

@@ -86,7 +86,7 @@ typedef struct {
 /* The bound of a piece. */
 typedef enum { LEAF_CYLINDER, LEAF_CAPSULE } leaf_bound;
 
-static inline vf dot(const vf x[3], const vf y[3])
+static inline vf f_dot(const vf x[3], const vf y[3])
 {
     return f_mad(x[0], y[0], f_mad(x[1], y[1], x[2] * y[2]));
 }
@@ -116,7 +116,7 @@ CYLINT_INLINE cylinders cylinders_of(const cylint_leaf *b, int from)
         s.w[j] = steps_of(top, j) - s.p[j];
     }
     s.W = f_abs(s.w[0]) + f_abs(s.w[1]) + f_abs(s.w[2]);
-    s.ww = dot(s.w, s.w);
+    s.ww = f_dot(s.w, s.w);
     s.r = f_from_bits(i_load_shorts(b->r + from), CYLINT_LEAF_R_MASK);
     return s;
 }
@@ -139,9 +139,10 @@ ASIDE unsigned near_middle(const cylint_leaf *b, int lane, const leaf_line *l)
         n[j] = f_mad(e[k], s.w[m], -(e[m] * s.w[k]));
         c[j] = f_mad(M[k], e[m], -(M[m] * e[k]));
     }
-    const vf most = f_mad(s.r, f_sqrt(dot(e, e)), f_sqrt(dot(n, n)) * half) +
-                    f_set(3) * l->k * l->E;
-    return f_not_greater(dot(c, c), most * most);
+    const vf most =
+        f_mad(s.r, f_sqrt(f_dot(e, e)), f_sqrt(f_dot(n, n)) * half) +
+        f_set(3) * l->k * l->E;
+    return f_not_greater(f_dot(c, c), most * most);
 }
 
 /*
@@ -168,7 +169,7 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const cylint_leaf *b,
         n[j] = f_mad(e[k], s->w[m], -(e[m] * s->w[k]));
     }
     const vf r = s->r, ww = s->ww;
-    const vf nn = dot(n, n), f = dot(D, n), ff = f * f;
+    const vf nn = f_dot(n, n), f = f_dot(D, n), ff = f * f;
     const vf EW = l->E * s->W;
     const vf kEW = l->k * EW;
     const vf gg = f_mad(r * r, nn, (r + r + l->k) * (kEW * EW));
@@ -177,8 +178,8 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const cylint_leaf *b,
         const leaf_line copy = *l; /* so that *l stays in registers */
         hit &= near_middle(b, lane, &copy);
     }
-    const vf Dw = dot(D, s->w), ew = dot(e, s->w);
-    const vf T = f_mad(Dw, ew, -(dot(D, e) * ww));
+    const vf Dw = f_dot(D, s->w), ew = f_dot(e, s->w);
+    const vf T = f_mad(Dw, ew, -(f_dot(D, e) * ww));
     const vf CC = (gg - ff) * ww, C = f_sqrt(CC);
     const vf middle = ww * nn * f_set(0.5f), kEWW = kEW * s->W;
     const vf offset_error = kEWW * EW * f_set(4), T_error = kEWW * f_set(3);
@@ -186,7 +187,7 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const cylint_leaf *b,
     vf beyond = middle + offset_error; /* the end on the line's side */
     if (bound == LEAF_CAPSULE) {
         const vf A = f_higher(distance - beyond, f_set(0));
-        const vf ee = dot(e, e) * f_set(1 + 0x1p-16f);
+        const vf ee = f_dot(e, e) * f_set(1 + 0x1p-16f);
         hit &= f_not_greater(A * A, ee * ww * CC);
         beyond = f_mad(r * s->W, nn, beyond);
     } else {
@@ -333,7 +334,7 @@ typedef struct {
     float d[3], E;
 } float_direction;
 
-static inline float_direction direction_of(const cylint_bvh_line *line)
+static inline float_direction float_direction_of(const cylint_bvh_line *line)
 {
     float_direction to = {.E = 0};
     EACH(j, 3) {

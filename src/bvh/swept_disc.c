@@ -88,7 +88,7 @@ void cylint_swept_disc_reach(const cylint_swept_disc *t, double reach[3])
                 : 1;
 }
 
-static double radius_at(const double k[2], double z)
+static double k_at(const double k[2], double z)
 {
     const double inside = cylint_larger(0, cylint_smaller(z, 1));
     return k[0] + (k[1] - k[0]) * inside;
@@ -114,8 +114,8 @@ cylint_piece_hull cylint_piece_hull_of(const cylint_swept_disc *t,
     for (int end = 0; end < 2; end++) {
         const double s = at_end[end] ? 0 : t->shift;
         h.is_ball[end] = t->round && at_end[end];
-        h.k[end] = cylint_larger(radius_at(t->k, h.z[end] - s),
-                                 radius_at(t->k, h.z[end] + s));
+        h.k[end] =
+            cylint_larger(k_at(t->k, h.z[end] - s), k_at(t->k, h.z[end] + s));
     }
     return h;
 }

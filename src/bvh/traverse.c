@@ -17,25 +17,23 @@ typedef struct {
     int n;
 } traversal;
 
-static inline int is_needed(const traversal *t, const entry *e)
-{
-    return e->key >> 32 <= t->ray->last_key;
-}
-
-CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
-                                    const cylint_node *node, child_hits *hits)
+CYLINT_INLINE unsigned children_on_line(const ray_state *ray,
+                                        const cylint_node *node,
+                                        child_hits *hits)
 {
     unsigned hit = 0;
-    (void)e;
     for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
         vf enter[3], leave[3], from;
-        child_faces(node, i, t->ray->near_face, enter, leave);
-        hit |= m_bits(hit_boxes(enter, leave, t->ray, &from)) << i;
+        child_faces(node, i, ray->near_face, enter, leave);
+        hit |= f_bits(hit_boxes(enter, leave, ray, &from)) << i;
         f_store_keys(hits->enter + i, from);
     }
     return hit & node->children;
 }
 
+#define IS_NEEDED(t, e) ((e)->key >> 32 <= (t)->ray->last_key)
+#define HIT_CHILDREN(t, e, node, hits) children_on_line((t)->ray, node, hits)
+#define ENTRY_OF keyed_entry
 #include "traverse_template.h"
 
 /* certain: returns 1 at a certain hit.  If the line ends outside the box of all and
@@ -45,7 +43,7 @@ CYLINT_INLINE int traverse_as(const cylint_bvh *bvh,
                               cylint_leaf_callback *callback, void *self,
                               int certain)
 {
-    const float_direction along = direction_of(line);
+    const float_direction along = float_direction_of(line);
     entry at, ahead = {0};
     float least[CYLINT_LEAF_SIZE];
     ray_state state;
@@ -122,14 +120,13 @@ CYLINT_INLINE int keep_children(const cylint_bvh *bvh, uint32_t *to,
 static inline void visit_nodes(waiting *w, const ray_state *state)
 {
     const int taken = w->n < AHEAD ? w->n : AHEAD;
-    const traversal t = {.ray = state};
     uint32_t batch[AHEAD];
     int n = w->n - taken, n_leaves = w->n_leaves; /* in registers */
     memcpy(batch, w->stack + n, (size_t)taken * sizeof *batch);
     for (int i = 0; i < taken; i++) {
         const cylint_node *node = &w->bvh->nodes[batch[i]];
         child_hits hits;
-        const unsigned hit = hit_children(&t, NULL, node, &hits);
+        const unsigned hit = children_on_line(state, node, &hits);
         const unsigned leaves = i_highest(node->child) & hit;
         n += keep_children(w->bvh, w->stack + n, node, hit & ~leaves, 0);
         n_leaves += keep_children(w->bvh, w->leaves + n_leaves, node, leaves,
@@ -142,7 +139,7 @@ static inline void visit_nodes(waiting *w, const ray_state *state)
 static void traverse_all(const cylint_bvh *bvh, const cylint_bvh_line *line,
                          cylint_leaf_callback *callback, void *self)
 {
-    const float_direction along = direction_of(line);
+    const float_direction along = float_direction_of(line);
     ray_state state;
     waiting w;
     start_line(&state, bvh, line);

@@ -23,11 +23,6 @@ typedef struct {
     int n;
 } traversal;
 
-static inline int is_needed(const traversal *t, const entry *e)
-{
-    return e->key >> 32 <= order_key(t->last);
-}
-
 /* ---------------------------------------------------------------- boxes -- */
 
 /*
@@ -42,12 +37,11 @@ static inline int is_needed(const traversal *t, const entry *e)
  * at most 2^-22 of the size of the box of all, and box_error is 2^-20 of it.  The
  * relative errors of products and sums are less than 2^-20.
  */
-CYLINT_INLINE unsigned hit_children(const traversal *t, const entry *e,
-                                    const cylint_node *node, child_hits *hits)
+CYLINT_INLINE unsigned children_near(const traversal *t,
+                                     const cylint_node *node, child_hits *hits)
 {
     static const int lower_first[3] = {0, 0, 0};
     unsigned hit = 0;
-    (void)e;
     for (int i = 0; i < CYLINT_CHILDREN; i += WIDTH) {
         vf lower[3], upper[3], sum = f_set(0);
         child_faces(node, i, lower_first, lower, upper);
@@ -73,6 +67,9 @@ static inline void update_last(traversal *t)
                                  (d + t->nearest) * (1 + 0x1p-18));
 }
 
+#define IS_NEEDED(t, e) ((e)->key >> 32 <= order_key((t)->last))
+#define HIT_CHILDREN(t, e, node, hits) children_near(t, node, hits)
+#define ENTRY_OF keyed_entry
 #include "traverse_template.h"
 
 /* --------------------------------------------------------------- leaves -- */
@@ -96,11 +93,11 @@ CYLINT_INLINE void near_lanes(const cylint_leaf *b, const double q[3], double K,
         vf D[3];
         EACH(j, 3)
             D[j] = f_set((float)q[j]) - s.p[j];
-        const vf at = dot(D, s.w) / f_higher(s.ww, f_set(1));
+        const vf at = f_dot(D, s.w) / f_higher(s.ww, f_set(1));
         const vf z = f_lower(f_higher(at, f_set(0)), f_set(1));
         EACH(j, 3)
             D[j] = D[j] - z * s.w[j];
-        f_store(least + lane, f_sqrt(dot(D, D)) - (s.r + error));
+        f_store(least + lane, f_sqrt(f_dot(D, D)) - (s.r + error));
     }
 }
 
@@ -120,7 +117,7 @@ ASIDE double far_lanes(const cylint_leaf *b, const double q[3], double K,
         e[j] = f_set((float)(q[j] / far));
     for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane += WIDTH) {
         const cylinders s = cylinders_of(b, lane);
-        const vf along = dot(e, s.p) + f_higher(dot(e, s.w), f_set(0));
+        const vf along = f_dot(e, s.p) + f_higher(f_dot(e, s.w), f_set(0));
         f_store(least + lane, f_set(-1) - (along + s.r));
     }
     return far - 0x1p-48 * K;

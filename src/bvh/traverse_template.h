@@ -9,15 +9,13 @@
  *   traversal   a struct with the members `bvh`, `stack` (an array of entry
  *               with CYLINT_STACK_SIZE elements) and `n`, its length
  *
- * and the functions
+ * and, as macros, the functions that are called
  *
- *   int is_needed(traversal *, entry *)   whether the entry, just taken from
- *                                         the stack, may still hold the
- *                                         nearest hit
- *   unsigned hit_children(const traversal *, const entry *,
- *                         const cylint_node *, child_hits *)
- *                                         bits of the children that are hit
- *   entry entry_of(const child_hits *, const cylint_node *, int i)
+ *   IS_NEEDED(t, e)           whether the entry *e, just taken from the stack, may
+ *                             still hold the nearest hit
+ *   HIT_CHILDREN(t, e, node, hits)
+ *                             bits of the children that are hit; writes *hits
+ *   ENTRY_OF(hits, node, i)   the entry of child i
  */
 
 /* Returns the nearest of the children that are hit, and pushes the others, the
@@ -27,10 +25,10 @@ CYLINT_INLINE entry push_children(traversal *t, const cylint_node *node,
                                   unsigned hit, const child_hits *hits)
 {
     entry *const from = t->stack + t->n, *to = from;
-    entry next = entry_of(hits, node, cylint_lowest(hit));
+    entry next = ENTRY_OF(hits, node, cylint_lowest(hit));
     prefetch_child(t->bvh, (uint32_t)next.key);
     while ((hit &= hit - 1)) {
-        const entry other = entry_of(hits, node, cylint_lowest(hit));
+        const entry other = ENTRY_OF(hits, node, cylint_lowest(hit));
         prefetch_child(t->bvh, (uint32_t)other.key);
         const entry later = other.key > next.key ? other : next;
         entry *at = to++;
@@ -48,14 +46,14 @@ CYLINT_INLINE entry next_leaf(traversal *t)
 {
     while (t->n > 0) {
         entry next = t->stack[--t->n];
-        if (!is_needed(t, &next))
+        if (!IS_NEEDED(t, &next))
             continue;
         for (;;) {
             if ((uint32_t)next.key & CYLINT_LEAF_FLAG)
                 return next;
             const cylint_node *node = &t->bvh->nodes[(uint32_t)next.key];
             child_hits hits;
-            const unsigned hit = hit_children(t, &next, node, &hits);
+            const unsigned hit = HIT_CHILDREN(t, &next, node, &hits);
             if (!hit)
                 break;
             next = push_children(t, node, hit, &hits);
@@ -86,6 +84,10 @@ CYLINT_INLINE entry take_leaf(traversal *t, entry *ahead)
             next = *ahead;
             *ahead = found;
         }
-    } while (next.key ? !is_needed(t, &next) : ahead->key != 0);
+    } while (next.key ? !IS_NEEDED(t, &next) : ahead->key != 0);
     return next;
 }
+
+#undef IS_NEEDED
+#undef HIT_CHILDREN
+#undef ENTRY_OF

@@ -118,7 +118,7 @@ INLINE void lateral_direction(const questions *q, const vd c[3], vd e_c,
                               bounded_vector *a)
 {
     const vd x = v_abs(q->w[0]), y = v_abs(q->w[1]), z = v_abs(q->w[2]);
-    cross(a->N, q->w, c);
+    v_cross(a->N, q->w, c);
     a->e[0] = (y + z) * e_c;
     a->e[1] = (z + x) * e_c;
     a->e[2] = (x + y) * e_c;
@@ -138,7 +138,7 @@ INLINE vm lean_on_cone(const questions *q, const hit *at, vm lateral,
     vd e_k;
     if (!m_any(m_not(v_eq(dr, v_set(0)))))
         return lateral;
-    const vd k = radius_at(q, at, &e_k), lean = k * dr;
+    const vd k = cone_radius(q, at, &e_k), lean = k * dr;
     e_k = e_k + v_abs(dr * q->dz) * at->s_error;
     const vd e_lean = v_abs(dr) * (e_k + eps(1) * v_abs(k));
     const vm certain = m_and(lateral, v_lt(v_set(32) * e_k, k));
@@ -162,7 +162,7 @@ INLINE void set_end_normal(const questions *q, const hit *at, int is_round,
     const vd zero = v_set(0), one = v_set(1);
     vd e = zero, length = q->W, e_length = eps(2);
     if (is_round) {
-        const vd X = size_at(q, at->s) + v_select(at->top, q->W, zero);
+        const vd X = size_along(q, at->s) + v_select(at->top, q->W, zero);
         const vd r = v_select(at->top, q->r0 + q->dr, q->r0);
         e = q->U * at->s_error + eps(1) * X;
         length = where_or_one(v_lt(zero, r), r);
@@ -233,14 +233,14 @@ INLINE vm normal_on_shape(const questions *q, const hit *at, int is_round,
 }
 
 /* Writes the floats of hits; returns the lanes in which they are certain. */
-INLINE unsigned describe_hits(const questions *q, const hit *at, unsigned lanes,
-                              int is_round)
+INLINE unsigned describe_floats(const questions *q, const hit *at,
+                                unsigned lanes, int is_round)
 {
     vd c[3];
     bounded_vector normal;
     vd f[CYLINT_HIT_FLOATS]; /* the normal, z, phi */
     double stored[CYLINT_HIT_FLOATS][LANES];
-    const vd e_c = across(q, at->s, at->s_error, c);
+    const vd e_c = cross_at(q, at->s, at->s_error, c);
     lateral_direction(q, c, e_c, &normal);
     vm certain = m_and(to_float(at->z, at->z_error, &f[3]),
                        describe_phi(q, normal.N, c, e_c, &f[4]));
@@ -300,7 +300,7 @@ INLINE void answer_as(questions *q, int is_round)
         open &= ~(accepted | unsure);
     }
     if (hits && q->of[0]->describes)
-        uncertain |= hits & ~describe_hits(q, &first, hits, is_round);
+        uncertain |= hits & ~describe_floats(q, &first, hits, is_round);
     EACH_LANE(i, q->used) {
         q->of[i]->is = uncertain >> i & 1 ? CYLINT_FLOAT_FILTER_UNDECIDED
                        : hits >> i & 1    ? CYLINT_FLOAT_FILTER_HIT

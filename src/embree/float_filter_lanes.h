@@ -105,7 +105,7 @@ INLINE vd eps(double n)
     return v_set(n * 0x1p-50);
 }
 
-INLINE vd dot(const vd x[3], const vd y[3])
+INLINE vd v_dot(const vd x[3], const vd y[3])
 {
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
 }
@@ -115,7 +115,7 @@ INLINE vd size(const vd x[3])
     return v_abs(x[0]) + v_abs(x[1]) + v_abs(x[2]);
 }
 
-INLINE void cross(vd to[3], const vd x[3], const vd y[3])
+INLINE void v_cross(vd to[3], const vd x[3], const vd y[3])
 {
     to[0] = x[1] * y[2] - x[2] * y[1];
     to[1] = x[2] * y[0] - x[0] * y[2];
@@ -178,12 +178,13 @@ INLINE void load_questions(questions *q)
     }
     if (m_any(q->is_angle)) {
         q->r0 = v_select(q->is_angle, zero, q->r0);
-        q->dr = v_select(q->is_angle, top[3] * v_sqrt(dot(q->w, q->w)), q->dr);
+        q->dr =
+            v_select(q->is_angle, top[3] * v_sqrt(v_dot(q->w, q->w)), q->dr);
     }
-    q->uu = dot(q->u, q->u);
-    q->Du = dot(q->D, q->u);
-    q->DD = dot(q->D, q->D);
-    q->ww = dot(q->w, q->w);
+    q->uu = v_dot(q->u, q->u);
+    q->Du = v_dot(q->D, q->u);
+    q->DD = v_dot(q->D, q->D);
+    q->ww = v_dot(q->w, q->w);
     q->U = size(q->u);
     q->Dn = size(q->D);
     q->W = v_sqrt(q->ww);
@@ -270,8 +271,8 @@ INLINE void cross_shape(questions *q, int is_round)
     q->is_ball = is_round ? m_not(v_lt(v_set(0), size(q->w))) : m_from(0);
     q->per_ww = one / v_select(q->is_ball, one, q->ww);
     q->per_W = q->W * q->per_ww;
-    q->alpha = dot(q->D, q->w);
-    q->beta = dot(q->u, q->w);
+    q->alpha = v_dot(q->D, q->w);
+    q->beta = v_dot(q->u, q->w);
     q->R = q->r0 + v_abs(q->dr);
     q->K = q->Dn + q->r0;
     const vd slope2 = q->dr * q->dr * q->per_ww;
@@ -303,18 +304,18 @@ INLINE void cross_shape(questions *q, int is_round)
 }
 
 /* The size of D + s u. */
-INLINE vd size_at(const questions *q, vd s)
+INLINE vd size_along(const questions *q, vd s)
 {
     return q->Dn + v_abs(s) * q->U;
 }
 
-/* z at s, and its error with that of the library's z, u |z|: 17 u of size_at() / W
+/* z at s, and its error with that of the library's z, u |z|: 17 u of size_along() / W
  * besides that of s. */
 INLINE void set_z(const questions *q, hit *at)
 {
     at->z = q->z0 + at->s * q->dz;
     at->z_error =
-        at->s_error * v_abs(q->dz) + eps(3) * size_at(q, at->s) * q->per_W;
+        at->s_error * v_abs(q->dz) + eps(3) * size_along(q, at->s) * q->per_W;
 }
 
 /*
@@ -374,7 +375,7 @@ INLINE hit end_on_cap(const questions *q, int top, int end)
     at.z = plane;
     at.z_error = zero;
     at.s = v_select(v_lt(q->dz, zero), -rise, rise) * per_dz;
-    at.s_error = eps(4) * (one + size_at(q, at.s) * q->per_W) * per_dz;
+    at.s_error = eps(4) * (one + size_along(q, at.s) * q->per_W) * per_dz;
     return at;
 }
 
@@ -390,10 +391,10 @@ INLINE hit end_on_ball(const questions *q, int top, int end)
         x[j] = top ? x1 : q->D[j];
     }
     c.a = q->uu;
-    c.b = dot(x, q->u);
+    c.b = v_dot(x, q->u);
     c.e_G = eps(6) * q->uu * (K * K);
     c.e_a = eps(1) * q->uu;
-    cross_surface(&c, ball_G(q->uu, c.b, dot(x, x), r), m_not(m_from(0)));
+    cross_surface(&c, ball_G(q->uu, c.b, v_dot(x, x), r), m_not(m_from(0)));
     return chord_end(&c, q, end);
 }
 
@@ -446,19 +447,19 @@ INLINE hit end_on_shape(const questions *q, int is_round, int end)
 
 /* Writes c = P x w, where P = D + s u.  Returns the error of c, where that of s is
  * s_error. */
-INLINE vd across(const questions *q, vd s, vd s_error, vd c[3])
+INLINE vd cross_at(const questions *q, vd s, vd s_error, vd c[3])
 {
     vd P[3];
     EACH(j, 3)
         P[j] = q->D[j] + s * q->u[j];
-    cross(c, P, q->w);
-    return q->W * (q->U * s_error + eps(3) * size_at(q, s));
+    v_cross(c, P, q->w);
+    return q->W * (q->U * s_error + eps(3) * size_along(q, s));
 }
 
 /* The radius of the cone at a hit and its error. */
-INLINE vd radius_at(const questions *q, const hit *at, vd *error)
+INLINE vd cone_radius(const questions *q, const hit *at, vd *error)
 {
-    *error = eps(3) * (q->r0 + v_abs(q->dr) * size_at(q, at->s) * q->per_W);
+    *error = eps(3) * (q->r0 + v_abs(q->dr) * size_along(q, at->s) * q->per_W);
     return q->r0 + q->dr * at->z;
 }
 
@@ -477,8 +478,8 @@ INLINE void step_on_cone(const questions *q, int end, vm where, hit *at)
     const quadratic *const cone = &q->cone;
     const vd two = v_set(2);
     vd c[3], e_k;
-    const vd e_c = across(q, at->s, v_set(0), c);
-    const vd k = radius_at(q, at, &e_k), cc = dot(c, c);
+    const vd e_c = cross_at(q, at->s, v_set(0), c);
+    const vd k = cone_radius(q, at, &e_k), cc = v_dot(c, c);
     const vd e_Q = (e_c * (two * size(c) + e_c) + eps(4) * cc) * q->per_ww +
                    e_k * (two * v_abs(k) + e_k) + eps(1) * (k * k);
     const vd Q = q->S * cc * q->per_ww - k * k;

@@ -38,7 +38,7 @@ typedef struct {
 /* ----------------------------------------------------------------- nodes -- */
 
 /* Keeps the active rays whose domain reaches the entry. */
-CYLINT_INLINE int is_needed(const traversal *p, entry *e)
+CYLINT_INLINE int reach_entry(const traversal *p, entry *e)
 {
     unsigned rays = 0;
     EACH_BIT(k, e->rays & p->active) {
@@ -49,8 +49,9 @@ CYLINT_INLINE int is_needed(const traversal *p, entry *e)
     return rays != 0;
 }
 
-CYLINT_INLINE unsigned hit_children(const traversal *p, const entry *e,
-                                    const cylint_node *node, child_hits *hits)
+CYLINT_INLINE unsigned children_on_rays(const traversal *p, const entry *e,
+                                        const cylint_node *node,
+                                        child_hits *hits)
 {
     const int *near_face = p->state[cylint_lowest(e->rays)].near_face;
     unsigned hit = 0;
@@ -63,7 +64,7 @@ CYLINT_INLINE unsigned hit_children(const traversal *p, const entry *e,
             const vm is = hit_boxes(enter, leave, &p->state[k], &from);
             first = m_select(is, f_lower(from, first), first);
             rays = i_or_where(rays, is, i_set(1u << k));
-            hit |= m_bits(is) << i;
+            hit |= f_bits(is) << i;
         }
         f_store_keys(hits->enter + i, first);
         i_store(hits->rays + i, rays);
@@ -71,12 +72,15 @@ CYLINT_INLINE unsigned hit_children(const traversal *p, const entry *e,
     return hit & node->children;
 }
 
-CYLINT_INLINE entry entry_of(const child_hits *hits, const cylint_node *node,
-                             int i)
+CYLINT_INLINE entry packet_entry(const child_hits *hits,
+                                 const cylint_node *node, int i)
 {
     return (entry){keyed_child(hits->enter[i], node->child[i]), hits->rays[i]};
 }
 
+#define IS_NEEDED reach_entry
+#define HIT_CHILDREN children_on_rays
+#define ENTRY_OF packet_entry
 #include "../bvh/traverse_template.h"
 
 /* ---------------------------------------------------------------- leaves -- */
@@ -119,7 +123,7 @@ void CYLINT_PACKET_TRACE(cylint_ray_test *packet, unsigned rays, int certain)
     t.outside = 0;
     EACH_BIT(k, rays) {
         const cylint_bvh_line *line = &packet[k].q.line;
-        t.along[k] = direction_of(line);
+        t.along[k] = float_direction_of(line);
         start_line(&t.state[k], bvh, line);
         if (certain)
             t.outside |= (unsigned)ends_outside(bvh, line) << k;

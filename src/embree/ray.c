@@ -78,7 +78,7 @@ static inline int start_test(ray_test *r, const call *args, int any,
 }
 
 /* The number of the shape of this rank. */
-static inline unsigned number_at(const ray_test *r, unsigned rank)
+static inline unsigned number_of_rank(const ray_test *r, unsigned rank)
 {
     return r->data->number ? r->data->number[rank] : rank;
 }
@@ -175,7 +175,7 @@ static int find_present(const ray_test *r, size_t number, exact_hits *x)
  * on the same shape is its other hit. */
 static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
 {
-    const unsigned number = number_at(r, r->rank);
+    const unsigned number = number_of_rank(r, r->rank);
     const double t = answer->hit[i].t;
     if (t > (double)r->ray->tfar)
         return 0;
@@ -214,7 +214,7 @@ static void write_ids(const ray_test *r)
     const uint32_t *array = r->data->array;
     const cylint_embree_array *at =
         r->data->arrays + (array ? array[r->rank] : 0);
-    r->hit->primID = number_at(r, r->rank) - (unsigned)at->first;
+    r->hit->primID = number_of_rank(r, r->rank) - (unsigned)at->first;
     r->hit->geomID = array ? at->part.geomID : r->args->geomID;
     memcpy((char *)r->hit + offsetof(struct RTCHit, instID),
            cylint_rtc_instance(r->args->context), CYLINT_INSTANCE_BYTES);
@@ -337,7 +337,7 @@ static void end_test(ray_test *r)
         if (r->q.t == r->ray->tfar) {
             if (!repeats_hit(r))
                 break;
-            if (number_at(r, r->last_rank) < number_at(r, r->rank))
+            if (number_of_rank(r, r->last_rank) < number_of_rank(r, r->rank))
                 return;
         }
         if (record(r) || r->q.leaves)
@@ -378,8 +378,8 @@ CYLINT_INLINE int take_nearest_lane(ray_test *r, const cylint_leaf *leaf,
 
 /* Tests lanes (bits) of a leaf, nearest first, until no remaining lane can hold
  * the nearest hit. */
-static int test_lanes(void *self, const cylint_leaf *leaf, unsigned lanes,
-                      const float least[CYLINT_LEAF_SIZE])
+static int test_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
+                     const float least[CYLINT_LEAF_SIZE])
 {
     ray_test *r = self;
     if (lanes & (lanes - 1))
@@ -428,7 +428,7 @@ static int test_others(ray_test *r)
 
 static void trace_single(ray_test *r)
 {
-    if (r->data->traversal->line(&r->data->bvh, &r->q.line, test_lanes, r,
+    if (r->data->traversal->line(&r->data->bvh, &r->q.line, test_leaf, r,
                                  r->any &&
                                      has_flag(r, CYLINT_EMBREE_NO_FILTERS)))
         cylint_record_any(r);

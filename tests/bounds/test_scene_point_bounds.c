@@ -64,11 +64,10 @@ static long double distance_to_box(const cylint_bvh *bvh, int child,
 /* Whether the child is visited if shapes within the distance are sought. */
 static int is_visited(traversal *t, int child, double distance)
 {
-    const entry root = {keyed_child(0, 0)};
     child_hits hits;
     t->distance = &distance;
     update_last(t);
-    return hit_children(t, &root, t->bvh->nodes, &hits) >> child & 1;
+    return children_near(t, t->bvh->nodes, &hits) >> child & 1;
 }
 
 /* What the bounds may lack: the stated errors along three coordinates and of the

@@ -351,7 +351,7 @@ static unsigned lanes_hit(const cylint_leaf *leaf, const double o[3],
 {
     const cylint_bvh_line line = {
         {o[0], o[1], o[2]}, {d[0], d[1], d[2]}, 0, tmax};
-    const float_direction along = direction_of(&line);
+    const float_direction along = float_direction_of(&line);
     float least[CYLINT_LEAF_SIZE];
     return test_line(leaf, NULL, &line, &along, least, NULL);
 }
