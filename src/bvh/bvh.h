@@ -73,17 +73,15 @@ void cylint_bvh_free(cylint_bvh *bvh);
  * are bounded again.  No box is larger than a new build over the same leaves would
  * make it, but for one step of a node's faces.
  *
- * extents: memory for one of each leaf and node.
+ * extents: memory for one of each leaf and node.  Returns the box of all shapes.
  */
-void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
-                      uint32_t n, cylint_extent *extents);
+cylint_extent cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view,
+                               uint32_t first, uint32_t n,
+                               cylint_extent *extents);
 
 /* The mean number of boxes that a traversal enters for a random line through the
  * centre of one of them.  After a refit the same boxes are chosen again. */
 double cylint_bvh_cost(const cylint_bvh *bvh);
-
-/* The box of all shapes, as the nodes have it. */
-cylint_extent cylint_bvh_bounds(const cylint_bvh *bvh);
 
 /*
  * Whether the nodes and leaves form a tree as cylint_bvh_build() makes it: each is

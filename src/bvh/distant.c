@@ -18,8 +18,8 @@ enum { SAMPLES = 64, MOST_DISTANT = 16, DISTANT = 256 };
 static void extend_box(cylint_shapes_box *box, const cylint_shapes_box *by)
 {
     for (int j = 0; j < 3; j++) {
-        box->lo[j] = fmin(box->lo[j], by->lo[j]);
-        box->hi[j] = fmax(box->hi[j], by->hi[j]);
+        box->lo[j] = cylint_smaller(box->lo[j], by->lo[j]);
+        box->hi[j] = cylint_larger(box->hi[j], by->hi[j]);
     }
     box->n += by->n;
 }
@@ -40,8 +40,8 @@ int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
         const double margin =
             DBL_MIN +
             0x1p-50 * (fabs(base) + fabs(cylint_axis(s)[j]) + bottom + top);
-        own.lo[j] = fmin(base - bottom, end - top) - margin;
-        own.hi[j] = fmax(base + bottom, end + top) + margin;
+        own.lo[j] = cylint_smaller(base - bottom, end - top) - margin;
+        own.hi[j] = cylint_larger(base + bottom, end + top) + margin;
         if (!(own.lo[j] >= -CYLINT_BOX_MOST && own.hi[j] <= CYLINT_BOX_MOST))
             return 0;
     }

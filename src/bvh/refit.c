@@ -81,15 +81,6 @@ static cylint_extent child_box(const cylint_bvh *bvh, const cylint_node *node,
     return cylint_float_box(side[0], side[1]);
 }
 
-static void include_children(cylint_extent *all, const cylint_bvh *bvh,
-                             const cylint_node *node)
-{
-    for (int k = 0; k < CYLINT_CHILDREN && node->children >> k; k++) {
-        const cylint_extent box = child_box(bvh, node, k);
-        cylint_extent_include(all, &box);
-    }
-}
-
 /* The box of an unmoved leaf or node from its own pieces or children. */
 static cylint_extent unmoved_box(const cylint_bvh *bvh, const cylint_view *view,
                                  uint32_t child)
@@ -99,9 +90,13 @@ static cylint_extent unmoved_box(const cylint_bvh *bvh, const cylint_view *view,
         read_pieces(&pieces, &bvh->leaves[child & ~CYLINT_LEAF_FLAG], view);
         return pieces.box;
     }
-    cylint_extent box = cylint_extent_empty();
-    include_children(&box, bvh, &bvh->nodes[child]);
-    return box;
+    const cylint_node *node = &bvh->nodes[child];
+    cylint_extent all = cylint_extent_empty();
+    for (int k = 0; k < CYLINT_CHILDREN && node->children >> k; k++) {
+        const cylint_extent box = child_box(bvh, node, k);
+        cylint_extent_include(&all, &box);
+    }
+    return all;
 }
 
 /* Whether the corner and the steps serve the children that have moved, whose box is
@@ -170,8 +165,9 @@ static cylint_extent refit_node(const cylint_bvh *bvh, const cylint_view *view,
     return all;
 }
 
-void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
-                      uint32_t n, cylint_extent *extents)
+cylint_extent cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view,
+                               uint32_t first, uint32_t n,
+                               cylint_extent *extents)
 {
     cylint_node *nodes = bvh->node_memory.data;
     cylint_extent *leaf_box = extents, *node_box = extents + bvh->n_leaves;
@@ -186,6 +182,7 @@ void cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view, uint32_t first,
         }
         node_box[i] = refit_node(bvh, view, &nodes[i], box);
     }
+    return node_box[0];
 }
 
 /* ------------------------------------------------------------------ cost -- */
@@ -259,12 +256,4 @@ double cylint_bvh_cost(const cylint_bvh *bvh)
         sum += count_boxes(bvh, &line);
     }
     return n > 0 ? (double)sum / n : 0;
-}
-
-cylint_extent cylint_bvh_bounds(const cylint_bvh *bvh)
-{
-    cylint_extent all = cylint_extent_empty();
-    if (bvh->n_nodes > 0)
-        include_children(&all, bvh, &bvh->nodes[0]);
-    return all;
 }

@@ -61,55 +61,41 @@ static double longest_side(const double lo[3], const double hi[3])
     return fmax(hi[0] - lo[0], fmax(hi[1] - lo[1], hi[2] - lo[2]));
 }
 
-/* Makes a frame of a box, with room for shapes that move on, within the range of
- * frames. */
-static int make_frame(const cylint_scene *s, double lo[3], double hi[3],
-                      cylint_frame *frame)
+/* Makes the frame of the shapes in the hierarchy, with room for shapes that move on,
+ * within the range of frames. */
+static void make_frame(const cylint_scene *s, cylint_frame *frame)
 {
-    const double room = fmax(longest_side(lo, hi) / 16, CYLINT_FRAME_LEAST);
-    for (int j = 0; j < 3; j++) {
-        lo[j] = fmax(lo[j] - room, -CYLINT_BOX_MOST);
-        hi[j] = fmin(hi[j] + room, CYLINT_BOX_MOST);
+    cylint_shapes_box all = CYLINT_NO_BOX;
+    for (size_t i = 0; i < s->n_bounded; i++) {
+        cylint_shape shape;
+        cylint_record_data(&s->records, s->bounded ? s->bounded[i] : i, &shape);
+        cylint_extend_by_shape(&all, &shape);
     }
-    cylint_frame_round_box(lo, hi);
+    const double room =
+        fmax(longest_side(all.lo, all.hi) / 16, CYLINT_FRAME_LEAST);
+    for (int j = 0; j < 3; j++) {
+        all.lo[j] = fmax(all.lo[j] - room, -CYLINT_BOX_MOST);
+        all.hi[j] = fmin(all.hi[j] + room, CYLINT_BOX_MOST);
+    }
+    cylint_frame_round_box(all.lo, all.hi);
     *frame = s->frame; /* for the shapes of its view */
-    return cylint_frame_make(frame, lo, hi);
+    cylint_frame_make(frame, all.lo, all.hi);
 }
 
-/* Makes a frame of the shapes that move, and of the old frame if other shapes
- * stay. */
-static int grow_frame(const replacement *r, cylint_frame *frame)
+/* Makes the frame again if the hierarchy's box is much smaller than it, as after
+ * shapes came back from far away: boxes in a large frame are coarse.  Returns 0 if
+ * it need not be smaller. */
+static int shrink_frame(const cylint_scene *s, const cylint_extent *box,
+                        cylint_frame *frame)
 {
-    const cylint_frame *old = &r->scene->frame;
-    const int all = r->box.n == r->scene->n_bounded;
-    double lo[3], hi[3];
-    for (int j = 0; j < 3; j++) {
-        lo[j] = all ? r->box.lo[j] : fmin(r->box.lo[j], old->lo[j]);
-        hi[j] = all ? r->box.hi[j] : fmax(r->box.hi[j], old->hi[j]);
-    }
-    return make_frame(r->scene, lo, hi, frame);
-}
-
-/* Makes a frame of the hierarchy's box if that is much smaller than the frame, as
- * after shapes came back from far away.  Returns 0 if it is not.  The rounding
- * errors of a corner are less than 2^-50 of its parts. */
-static int shrink_frame(const cylint_scene *s, cylint_frame *frame)
-{
-    const cylint_frame *old = &s->frame;
-    const cylint_extent box = cylint_bvh_bounds(&s->bvh);
-    const double longest = longest_side(old->lo, old->hi);
-    double lo[3], hi[3];
-    for (int j = 0; j < 3; j++) {
-        const double center = old->view.center[j],
-                     lower = (double)box.lower[j] / old->view.scale,
-                     upper = (double)box.upper[j] / old->view.scale;
-        const double error =
-            0x1p-50 * (fabs(center) + fmax(fabs(lower), fabs(upper)));
-        lo[j] = center + lower - error;
-        hi[j] = center + upper + error;
-    }
-    return longest_side(lo, hi) < longest / 4 && make_frame(s, lo, hi, frame) &&
-           longest_side(frame->lo, frame->hi) < longest / 2;
+    const double longest = longest_side(s->frame.lo, s->frame.hi);
+    double side = 0;
+    for (int j = 0; j < 3; j++)
+        side = fmax(side, (double)box->upper[j] - (double)box->lower[j]);
+    if (!(4 * side < longest * s->frame.view.scale))
+        return 0;
+    make_frame(s, frame);
+    return longest_side(frame->lo, frame->hi) < longest / 2;
 }
 
 /* Sets the frame, and the hierarchy's box to that of all pieces that fit in it. */
@@ -134,20 +120,21 @@ static cylint_scene_status refit_hierarchy(replacement *r)
     cylint_scene *s = r->scene;
     cylint_frame frame;
     const int reframes = !stays_in_frame(r);
-    if (reframes && !grow_frame(r, &frame))
-        return CYLINT_SCENE_EREPLACE;
     cylint_extent *extents =
         malloc((s->bvh.n_leaves + s->bvh.n_nodes) * sizeof *extents);
     if (!extents)
         return CYLINT_SCENE_EMEMORY;
     if (s->built_cost == 0)
         s->built_cost = cylint_bvh_cost(&s->bvh);
-    if (reframes)
-        set_frame(s, &frame);
     replace_records(r);
-    cylint_bvh_refit(&s->bvh, &s->frame.view, reframes ? 0 : (uint32_t)r->first,
-                     reframes ? UINT32_MAX : (uint32_t)r->n, extents);
-    while (shrink_frame(s, &frame)) { /* boxes in a large frame are coarse */
+    if (reframes) {
+        make_frame(s, &frame);
+        set_frame(s, &frame);
+    }
+    const cylint_extent box = cylint_bvh_refit(
+        &s->bvh, &s->frame.view, reframes ? 0 : (uint32_t)r->first,
+        reframes ? UINT32_MAX : (uint32_t)r->n, extents);
+    if (!reframes && shrink_frame(s, &box, &frame)) {
         set_frame(s, &frame);
         cylint_bvh_refit(&s->bvh, &s->frame.view, 0, UINT32_MAX, extents);
     }
