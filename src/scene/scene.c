@@ -65,23 +65,21 @@ static cylint_scene_status sort_shapes(cylint_scene *s, cylint_watch *watch)
 {
     cylint_shapes_box inner;
     const cylint_view view = {.shape_at = data_at, .owner = s};
-    const int has_frame = choose_frame(s),
-              all_near = cylint_choose_box(&inner, &view, s->n, &s->box);
+    const int all_near = cylint_choose_box(&inner, &view, s->n, &s->box);
     s->n_bounded = s->n;
-    if (has_frame && s->box.n == s->n && all_near)
+    if (s->box.n == s->n && all_near && choose_frame(s))
         return CYLINT_SCENE_OK;
     uint32_t *const number = allocate(s, s->n, sizeof *number);
     s->bounded = number;
     s->n_bounded = 0;
     if (!number)
         return CYLINT_SCENE_EMEMORY;
-    if (has_frame) {
-        s->n_bounded =
-            cylint_list_near(&view, s->n, &inner, watch, number, &s->box);
-        if (s->n_bounded == SIZE_MAX)
-            return CYLINT_SCENE_ESTOPPED;
-        choose_frame(s);
-    }
+    s->n_bounded =
+        cylint_list_near(&view, s->n, &inner, watch, number, &s->box);
+    if (s->n_bounded == SIZE_MAX)
+        return CYLINT_SCENE_ESTOPPED;
+    if (!choose_frame(s))
+        s->n_bounded = 0;
     uint32_t *const others = number + s->n_bounded;
     s->others = others;
     for (size_t i = 0, next = 0; i < s->n; i++)

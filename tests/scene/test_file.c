@@ -377,6 +377,27 @@ TEST(a_file_opens_in_every_environment)
         }
 }
 
+/* One of them is beside the hierarchy, and the box of the others is too small for
+ * one. */
+TEST(a_file_of_tiny_shapes_and_a_distant_one_opens)
+{
+    enum { BALLS = 64 };
+    OWN_BYTES b = {NULL, NULL, 0};
+    cylint_shape ball[BALLS];
+    for (int i = 0; i < BALLS; i++)
+        cylint_sphere(&ball[i], (double[]){i == 7 ? 1 : i * 0x1p-420, 0, 0},
+                      0x1p-420, CYLINT_ENDS_CAPPED);
+    OWN_SCENE *built = cylint_scene_new(ball, BALLS, 1, NULL);
+    OWN_SCENE *opened = scene_file_reopen(built, &b);
+    CHECK(opened && same_shapes(built, opened));
+    for (int i = 0; i < 3; i++) {
+        const double p[3] = {i < 2 ? i : 20 * 0x1p-420, 0, 0};
+        const size_t holding = i == 0 ? 2 : i == 1 ? 1 : 3;
+        CHECK(cylint_scene_contains(built, p, 0) == holding);
+        CHECK(opened && cylint_scene_contains(opened, p, 0) == holding);
+    }
+}
+
 /* ------------------------------------------------------- damaged files -- */
 
 /* Changes of a byte, by exclusive or: of one bit, of all.  Returns 0 after the
