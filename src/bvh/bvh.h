@@ -73,14 +73,16 @@ void cylint_bvh_free(cylint_bvh *bvh);
  * are bounded again.  No box is larger than a new build over the same leaves would
  * make it, but for one step of a node's faces.
  *
- * extents: memory for one of each leaf and node.  Returns the box of all shapes.
+ * extents: memory for one of each leaf and node.  Returns the box of all shapes, if
+ * any of them has moved.
  */
 cylint_extent cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view,
                                uint32_t first, uint32_t n,
                                cylint_extent *extents);
 
-/* The mean number of boxes that a traversal enters for a random line through the
- * centre of one of them.  After a refit the same boxes are chosen again. */
+/* The mean number of nodes and leaves that a traversal visits for a random line
+ * through the centre of one of their boxes.  After a refit the same boxes are chosen
+ * again. */
 double cylint_bvh_cost(const cylint_bvh *bvh);
 
 /*

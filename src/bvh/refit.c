@@ -187,43 +187,14 @@ cylint_extent cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view,
 
 /* ------------------------------------------------------------------ cost -- */
 
-/* As a traversal does: error is what it allows for errors of floats. */
-static int may_hit(const cylint_bvh_line *line, const cylint_extent *box,
-                   double error)
+static int keep_no_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
+                        const float least[CYLINT_LEAF_SIZE])
 {
-    double from = line->tmin, to = line->tmax;
-    for (int j = 0; j < 3; j++) {
-        const double lower = (double)box->lower[j] - error - line->o[j],
-                     upper = (double)box->upper[j] + error - line->o[j],
-                     d = line->d[j];
-        if (d < 0 || d > 0) {
-            from = fmax(from, (d > 0 ? lower : upper) / d);
-            to = fmin(to, (d > 0 ? upper : lower) / d);
-        } else if (lower > 0 || upper < 0) {
-            return 0;
-        }
-    }
-    return from <= to;
-}
-
-/* How many boxes below a node the line hits. */
-static size_t count_boxes(const cylint_bvh *bvh, const cylint_bvh_line *line)
-{
-    const double error = 2 * (double)bvh->pad; /* the origin is in the box */
-    uint32_t stack[CYLINT_STACK_SIZE] = {0};
-    size_t boxes = 0;
-    for (int n = bvh->n_nodes > 0; n > 0;) {
-        const cylint_node *node = &bvh->nodes[stack[--n]];
-        for (int k = 0; k < CYLINT_CHILDREN && node->children >> k; k++) {
-            const cylint_extent box = child_box(bvh, node, k);
-            if (!may_hit(line, &box, error))
-                continue;
-            boxes++;
-            if (!(node->child[k] & CYLINT_LEAF_FLAG))
-                stack[n++] = node->child[k];
-        }
-    }
-    return boxes;
+    (void)self;
+    (void)leaf;
+    (void)lanes;
+    (void)least;
+    return 0;
 }
 
 /* Line number n goes through the centre of a box of some node.  Nodes and
@@ -253,7 +224,7 @@ double cylint_bvh_cost(const cylint_bvh *bvh)
     int n = 0;
     while (bvh->n_nodes > 0 && n < LINES && sum < BOXES) {
         const cylint_bvh_line line = probe_at(bvh, n++);
-        sum += count_boxes(bvh, &line);
+        sum += cylint_traversal_used()->all(bvh, &line, keep_no_leaf, NULL);
     }
     return n > 0 ? (double)sum / n : 0;
 }

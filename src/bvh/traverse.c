@@ -116,8 +116,8 @@ CYLINT_INLINE int keep_children(const cylint_bvh *bvh, uint32_t *to,
     return n;
 }
 
-/* Takes the last nodes and puts their children there. */
-static inline void visit_nodes(waiting *w, const ray_state *state)
+/* Takes the last nodes and puts their children there.  Returns how many it took. */
+static inline int visit_nodes(waiting *w, const ray_state *state)
 {
     const int taken = w->n < AHEAD ? w->n : AHEAD;
     uint32_t batch[AHEAD];
@@ -134,12 +134,14 @@ static inline void visit_nodes(waiting *w, const ray_state *state)
     }
     w->n = n;
     w->n_leaves = n_leaves;
+    return taken;
 }
 
-static void traverse_all(const cylint_bvh *bvh, const cylint_bvh_line *line,
-                         cylint_leaf_callback *callback, void *self)
+static size_t traverse_all(const cylint_bvh *bvh, const cylint_bvh_line *line,
+                           cylint_leaf_callback *callback, void *self)
 {
     const float_direction along = float_direction_of(line);
+    size_t visited = 0;
     ray_state state;
     waiting w;
     start_line(&state, bvh, line);
@@ -148,19 +150,21 @@ static void traverse_all(const cylint_bvh *bvh, const cylint_bvh_line *line,
     w.n = 1;
     w.n_leaves = 0;
     while (w.n > 0) {
-        visit_nodes(&w, &state);
+        visited += (size_t)visit_nodes(&w, &state);
         if (w.n > 0 && w.n_leaves < LEAVES)
             continue;
+        visited += (size_t)w.n_leaves;
         for (int i = 0; i < w.n_leaves; i++) {
             const cylint_leaf *leaf =
                 &bvh->leaves[w.leaves[i] & ~CYLINT_LEAF_FLAG];
             const unsigned lanes =
                 test_line(leaf, NULL, line, &along, NULL, NULL);
             if (lanes && callback(self, leaf, lanes, NULL))
-                return;
+                return visited;
         }
         w.n_leaves = 0;
     }
+    return visited;
 }
 
 const cylint_traversal CYLINT_TRAVERSAL = {traverse_line, traverse_all,

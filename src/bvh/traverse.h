@@ -47,10 +47,11 @@ typedef int cylint_traverse_line(const cylint_bvh *bvh,
                                  int any);
 
 /* The same in no order: the callback gets no least[], and boxes beyond a lesser
- * tmax are visited, too. */
-typedef void cylint_traverse_all(const cylint_bvh *bvh,
-                                 const cylint_bvh_line *line,
-                                 cylint_leaf_callback *callback, void *self);
+ * tmax are visited, too.  Returns the number of nodes and leaves that were
+ * visited. */
+typedef size_t cylint_traverse_all(const cylint_bvh *bvh,
+                                   const cylint_bvh_line *line,
+                                   cylint_leaf_callback *callback, void *self);
 
 /* Gets a leaf, of which the pieces of a lane are at least least[lane] away.  It
  * may reduce the distance.  Returns 1 to stop the traversal. */
