@@ -4,8 +4,6 @@
  * A file is a header of 512 bytes and the arrays of the scene as they are in
  * memory, each from a multiple of 64 bytes on, with zeros between them.  Their
  * order is that of FILE_ARRAYS; the header has the bytes of each.
- *
- * Section RANKS is empty in this version.
  */
 #ifdef __linux__
 #define _DEFAULT_SOURCE 1 /* fileno(), mmap(), realpath()... with -std=c99 */
@@ -41,7 +39,7 @@
     X(SOLIDS, solids.given, s->solids.n_members)
 
 #define NAME(section, array, n) section,
-typedef enum { FILE_ARRAYS(NAME) RANKS, SECTIONS } section;
+typedef enum { FILE_ARRAYS(NAME) SECTIONS } section;
 #undef NAME
 
 enum { FILE_VERSION = 1, FILE_BLOCK = 64, HEADER_BYTES = 512 };
@@ -69,7 +67,7 @@ typedef char header_has_512_bytes[sizeof(file_header) == HEADER_BYTES ? 1 : -1];
 /* Bytes of an element. */
 #define BYTES(section, array, n) \
     [section] = sizeof *((const cylint_scene *)NULL)->array,
-static const uint64_t element_bytes[SECTIONS] = {FILE_ARRAYS(BYTES)[RANKS] = 1};
+static const uint64_t element_bytes[SECTIONS] = {FILE_ARRAYS(BYTES)};
 #undef BYTES
 
 static size_t elements_of(const file_header *h, section i)
@@ -461,7 +459,7 @@ static cylint_scene_status check_header(const file_header *h, size_t bytes)
     if (bytes < sizeof *h)
         return CYLINT_SCENE_EDAMAGED;
     if (h->version != FILE_VERSION || h->sections != SECTIONS ||
-        cylint_rank(h->order) != cylint_rank(FILE_ORDER) || h->bytes[RANKS] > 0)
+        cylint_rank(h->order) != cylint_rank(FILE_ORDER))
         return CYLINT_SCENE_EVERSION;
     return sizes_fit(h, bytes) ? CYLINT_SCENE_OK : CYLINT_SCENE_EDAMAGED;
 }
