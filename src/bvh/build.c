@@ -46,7 +46,7 @@ static inline bounds joined(bounds a, bounds b)
     return a;
 }
 
-static inline bounds bounds_of(const cylint_boxed_piece *b)
+static inline bounds bounds_of(const cylint_boxed_slice *b)
 {
     bounds h;
     EACH(k, PARTS) {
@@ -79,7 +79,7 @@ static inline float area(bounds h)
 /* Consecutive boxes, the box of all of them, and the box of their centres times
  * two. */
 typedef struct {
-    cylint_boxed_piece *boxes;
+    cylint_boxed_slice *boxes;
     size_t n;
     bounds box, centers;
 } range;
@@ -92,12 +92,12 @@ static inline bounds center_of(bounds h)
     return h;
 }
 
-static inline float key(const cylint_boxed_piece *b, int axis)
+static inline float key(const cylint_boxed_slice *b, int axis)
 {
     return b->box.lower[axis] + b->box.upper[axis];
 }
 
-static range measured(cylint_boxed_piece *boxes, size_t n)
+static range measured(cylint_boxed_slice *boxes, size_t n)
 {
     range r = {boxes, n, nothing(), nothing()};
     for (size_t i = 0; i < n; i++) {
@@ -127,7 +127,7 @@ static scale bin_scale(const range *r)
 }
 
 /* Counted in bins, from the first. */
-static inline float bin_place(const cylint_boxed_piece *b, const scale *s,
+static inline float bin_place(const cylint_boxed_slice *b, const scale *s,
                               int axis)
 {
     return (key(b, axis) - s->least[axis]) * s->per_bin[axis];
@@ -191,15 +191,15 @@ static void try_axis(const bins *b, int axis, size_t n, cut_plan *best)
     }
 }
 
-static void swap(cylint_boxed_piece *a, cylint_boxed_piece *b)
+static void swap(cylint_boxed_slice *a, cylint_boxed_slice *b)
 {
-    const cylint_boxed_piece c = *a;
+    const cylint_boxed_slice c = *a;
     *a = *b;
     *b = c;
 }
 
 /* Sorts partially: none of the first k keys is larger than any other key. */
-static void select_nth(cylint_boxed_piece *boxes, size_t n, size_t k, int axis)
+static void select_nth(cylint_boxed_slice *boxes, size_t n, size_t k, int axis)
 {
     size_t from = 0, to = n; /* the k-th lies in [from, to) */
     while (to - from > 1) {
@@ -227,12 +227,12 @@ static void select_nth(cylint_boxed_piece *boxes, size_t n, size_t k, int axis)
  * with the first box of the right side, which then begins one later if the box
  * belongs to the left side.
  */
-static size_t partition(cylint_boxed_piece *boxes, size_t n, const scale *s,
+static size_t partition(cylint_boxed_slice *boxes, size_t n, const scale *s,
                         int axis, int bin)
 {
     size_t left = 0;
     for (size_t i = 0; i < n; i++) {
-        const cylint_boxed_piece box = boxes[i];
+        const cylint_boxed_slice box = boxes[i];
         boxes[i] = boxes[left];
         boxes[left] = box;
         left += bin_place(&box, s, axis) < (float)bin;
@@ -293,7 +293,7 @@ typedef struct {
 enum { MOST_TASKS = 128 };
 
 typedef struct {
-    const cylint_boxed_piece *boxes; /* all of them */
+    const cylint_boxed_slice *boxes; /* all of them */
     cylint_node *nodes;
     float least_step;
     const float *center;
@@ -463,7 +463,7 @@ static uint32_t move_below(cylint_node *nodes, uint32_t *n, uint32_t number)
 }
 
 /* First the root, then the tasks that it posts, then those that these post. */
-size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
+size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_slice *boxes,
                           size_t n, const float center[3], float least_step,
                           int threads, cylint_watch *watch)
 {

@@ -10,15 +10,15 @@
 #include "swept_disc.h"
 #include "watch.h"
 
-/* Pieces in a leaf, children of a node. */
+/* Slices in a leaf, children of a node. */
 enum { CYLINT_LEAF_SIZE = 8, CYLINT_CHILDREN = 8 };
 
-/* The box of a piece of a shape. */
-typedef struct cylint_boxed_piece {
+/* The box of a slice of a shape. */
+typedef struct cylint_boxed_slice {
     cylint_extent box;
     uint32_t number; /* of the shape */
-    cylint_shape_piece piece;
-} cylint_boxed_piece;
+    cylint_slice slice;
+} cylint_boxed_slice;
 
 /* The boxes of up to 8 children.  A box reaches from corner + step face[0] to
  * corner + step face[1], exactly.  Two cache lines. */
@@ -39,10 +39,10 @@ enum { CYLINT_BVH_DEPTH = 24 + 16 };
 /* The most children that wait to be visited at any time. */
 enum { CYLINT_STACK_SIZE = CYLINT_BVH_DEPTH * (CYLINT_CHILDREN - 1) + 1 };
 
-/* The leaves of these pieces. */
-static inline size_t cylint_leaves_for(size_t pieces)
+/* The leaves of these slices. */
+static inline size_t cylint_leaves_for(size_t slices)
 {
-    return (pieces + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE;
+    return (slices + CYLINT_LEAF_SIZE - 1) / CYLINT_LEAF_SIZE;
 }
 
 /* The most nodes that a hierarchy over this number of leaves has, at least one. */
@@ -57,7 +57,7 @@ size_t cylint_build_most_nodes(size_t leaves);
  * its children, or 0 if the watch stops it.  The result does not depend on the
  * number of threads.
  */
-size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_piece *boxes,
+size_t cylint_build_nodes(cylint_node *nodes, cylint_boxed_slice *boxes,
                           size_t n, const float center[3], float least_step,
                           int threads, cylint_watch *watch);
 

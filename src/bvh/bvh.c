@@ -1,8 +1,8 @@
 /*
  * bvh.c - builds and frees a bounding volume hierarchy; the build of its traversal
  *
- * Shapes are split into pieces with tight boxes, build.c makes nodes over these,
- * and the pieces are stored in leaves.
+ * Shapes are split into slices with tight boxes, build.c makes nodes over these,
+ * and the slices are stored in leaves.
  */
 #include "bvh.h"
 
@@ -12,7 +12,7 @@
 #include "threads.h"
 #include "traverse.h"
 
-/* -------------------------------------------------------------- pieces -- */
+/* -------------------------------------------------------------- slices -- */
 
 /* About half the area of the cylinder around the swept disc, of the larger k, which
  * boxes of floats make thicker by some units in the last place of their sides. */
@@ -25,18 +25,18 @@ static double half_surface(const cylint_swept_disc *t, double k)
 
 /*
  * A random line hits boxes in proportion to their areas.  The sides of the box of
- * one of m pieces are x / m + y, where the box of the axis has the sides x, and
+ * one of m slices are x / m + y, where the box of the axis has the sides x, and
  * that of a section y.  So half the area of all m is X / m + Z + m Y, where X and
  * Y are half the areas of boxes with the sides x and y, and Z does not depend on m.
- * With m S for tests of m pieces, S half the area of the shape, that is least where
+ * With m S for tests of m slices, S half the area of the shape, that is least where
  * m is sqrt(X / (Y + S)).  A shape is cut if this is more than 1: shapes nearly as
  * wide as long are not.  Then the next greater m is best where shapes overlap.
- * More than FEW pieces pay for needles only; for fibres 10 by 0.02 the time is the
- * same with 4 to 8, and a piece takes 20 bytes, 41 while a scene is built.
+ * More than FEW slices pay for needles only; for fibres 10 by 0.02 the time is the
+ * same with 4 to 8, and a slice takes 20 bytes, 41 while a scene is built.
  */
 enum { FEW = 4, MANY = 8, NEEDLE = 64 };
 
-static uint16_t piece_count(const cylint_swept_disc *t, const double reach[3])
+static uint16_t slice_count(const cylint_swept_disc *t, const double reach[3])
 {
     const double k = fmax(t->k[0], t->k[1]);
     double axis[3], section[3];
@@ -51,7 +51,7 @@ static uint16_t piece_count(const cylint_swept_disc *t, const double reach[3])
     return balance > 1 ? (uint16_t)fmin(balance + 1, most) : 1;
 }
 
-/* The pieces of a shape. */
+/* The slices of a shape. */
 typedef struct {
     cylint_swept_disc disc;
     double reach[3];
@@ -68,26 +68,26 @@ static int cut(cut_shape *to, const cylint_view *view, uint32_t number)
     cylint_swept_disc_of(&to->disc, view, shape);
     cylint_swept_disc_reach(&to->disc, to->reach);
     const cylint_extent box =
-        cylint_piece_box(&to->disc, to->reach, (cylint_shape_piece){0, 1});
-    to->count = piece_count(&to->disc, to->reach);
+        cylint_slice_box(&to->disc, to->reach, (cylint_slice){0, 1});
+    to->count = slice_count(&to->disc, to->reach);
     return cylint_extent_is_valid(&box);
 }
 
-static void write_pieces(cylint_boxed_piece *to, const cut_shape *from,
+static void write_slices(cylint_boxed_slice *to, const cut_shape *from,
                          uint32_t number, cylint_extent *all)
 {
     for (uint16_t i = 0; i < from->count; i++) {
-        const cylint_shape_piece piece = {i, from->count};
+        const cylint_slice slice = {i, from->count};
         const cylint_extent b =
-            cylint_piece_box(&from->disc, from->reach, piece);
-        to[i] = (cylint_boxed_piece){b, number, piece};
+            cylint_slice_box(&from->disc, from->reach, slice);
+        to[i] = (cylint_boxed_slice){b, number, slice};
         cylint_extent_include(all, &b);
     }
 }
 
-/* The pieces of a block of shapes: `first` is the first of them. */
+/* The slices of a block of shapes: `first` is the first of them. */
 typedef struct {
-    size_t first, pieces;
+    size_t first, slices;
     cylint_extent all;
     cylint_bvh_status status;
     size_t refused;
@@ -95,7 +95,7 @@ typedef struct {
 
 typedef struct {
     const cylint_bvh_input *input;
-    cylint_boxed_piece *box; /* NULL: the pieces are only counted */
+    cylint_boxed_slice *box; /* NULL: the slices are only counted */
     size_t block;            /* shapes */
     portion portion[CYLINT_THREADS_MOST];
 } split_job;
@@ -107,7 +107,7 @@ static void split_block(void *self, size_t from, size_t to)
     const cylint_bvh_input *input = job->input;
     portion *s = &job->portion[from / job->block];
     cut_shape shape;
-    s->pieces = 0;
+    s->slices = 0;
     s->all = cylint_extent_empty();
     for (size_t i = from; i < to && s->status == CYLINT_BVH_OK; i++) {
         s->refused = input->numbers ? input->numbers[i] : i;
@@ -118,14 +118,14 @@ static void split_block(void *self, size_t from, size_t to)
             s->status = CYLINT_BVH_ESHAPE;
         } else {
             if (job->box)
-                write_pieces(job->box + s->first + s->pieces, &shape,
+                write_slices(job->box + s->first + s->slices, &shape,
                              (uint32_t)s->refused, &s->all);
-            s->pieces += shape.count;
+            s->slices += shape.count;
         }
     }
 }
 
-/* Counts or writes the pieces of all blocks. */
+/* Counts or writes the slices of all blocks. */
 static cylint_bvh_status split_all(split_job *job, size_t *refused)
 {
     const cylint_bvh_input *input = job->input;
@@ -142,8 +142,8 @@ static cylint_bvh_status split_all(split_job *job, size_t *refused)
     return CYLINT_BVH_OK;
 }
 
-/* Writes the box of every piece, in the order of shapes, to bvh->leaf_memory, which
- * has room for the leaves of these pieces too; and the box of all, and how many. */
+/* Writes the box of every slice, in the order of shapes, to bvh->leaf_memory, which
+ * has room for the leaves of these slices too; and the box of all, and how many. */
 static cylint_bvh_status split_shapes(cylint_bvh *bvh,
                                       const cylint_bvh_input *input, size_t *n,
                                       size_t *refused)
@@ -156,7 +156,7 @@ static cylint_bvh_status split_shapes(cylint_bvh *bvh,
     *n = 0;
     for (size_t i = 0; i * job.block < input->n; i++) {
         job.portion[i].first = *n;
-        *n += job.portion[i].pieces;
+        *n += job.portion[i].slices;
     }
     if (*n > SIZE_MAX / sizeof *job.box - CYLINT_LEAF_SIZE ||
         !cylint_memory_allocate(&bvh->leaf_memory, input->source,
@@ -189,18 +189,18 @@ void cylint_bvh_set_box(cylint_bvh *bvh, const cylint_extent *box,
 
 static cylint_bvh_status store_nodes(cylint_bvh *bvh,
                                      const cylint_bvh_input *input,
-                                     size_t pieces)
+                                     size_t slices)
 {
-    bvh->n_leaves = cylint_leaves_for(pieces);
+    bvh->n_leaves = cylint_leaves_for(slices);
     if (bvh->n_leaves >= CYLINT_LEAF_FLAG ||
         !cylint_memory_allocate(&bvh->node_memory, input->source,
                                 cylint_build_most_nodes(bvh->n_leaves) *
                                     sizeof *bvh->nodes))
         return CYLINT_BVH_EMEMORY;
-    cylint_watch_step(input->watch, CYLINT_STEP_NODES, pieces);
+    cylint_watch_step(input->watch, CYLINT_STEP_NODES, slices);
     cylint_bvh_set_box(bvh, &bvh->box, input->view->line_error);
     bvh->n_nodes = cylint_build_nodes(
-        bvh->node_memory.data, bvh->leaf_memory.data, pieces, bvh->center,
+        bvh->node_memory.data, bvh->leaf_memory.data, slices, bvh->center,
         bvh->least_step, input->threads, input->watch);
     if (bvh->n_nodes == 0)
         return CYLINT_BVH_ESTOPPED;
@@ -218,14 +218,14 @@ static cylint_bvh_status store_nodes(cylint_bvh *bvh,
  * (Prefetching them had no effect where every address needs a translation.) */
 enum { TOGETHER = 4 * CYLINT_LEAF_SIZE };
 
-/* Pieces to be stored in leaves, in the same memory. */
+/* Slices to be stored in leaves, in the same memory. */
 typedef struct {
     const cylint_bvh_input *input;
-    cylint_boxed_piece *box;
+    cylint_boxed_slice *box;
     size_t n;
 } leaf_job;
 
-/* The leaf of the pieces from `first` on, over their boxes. */
+/* The leaf of the slices from `first` on, over their boxes. */
 static cylint_leaf *leaf_over(const leaf_job *job, size_t first)
 {
     return (cylint_leaf *)(void *)(job->box + first);
@@ -234,7 +234,7 @@ static cylint_leaf *leaf_over(const leaf_job *job, size_t first)
 static void fill_group(const leaf_job *job, size_t first)
 {
     cylint_swept_disc disc[TOGETHER];
-    cylint_boxed_piece box[TOGETHER];
+    cylint_boxed_slice box[TOGETHER];
     const size_t ahead = job->n - first;
     const int n = ahead < TOGETHER ? (int)ahead : TOGETHER;
     memcpy(box, job->box + first, (size_t)n * sizeof *box);
@@ -246,7 +246,7 @@ static void fill_group(const leaf_job *job, size_t first)
                          job->input->view->line_error);
 }
 
-/* Fills the leaves of pieces [from, to). */
+/* Fills the leaves of slices [from, to). */
 static void fill_leaves(void *self, size_t from, size_t to)
 {
     const leaf_job *job = self;
@@ -255,18 +255,18 @@ static void fill_leaves(void *self, size_t from, size_t to)
         fill_group(job, from);
 }
 
-/* Stores the leaves over the boxes of their pieces, joins them, and returns the
+/* Stores the leaves over the boxes of their slices, joins them, and returns the
  * memory that they do not need. */
 static cylint_bvh_status store_leaves(cylint_bvh *bvh,
                                       const cylint_bvh_input *input,
-                                      size_t pieces)
+                                      size_t slices)
 {
     cylint_leaf *leaves = bvh->leaf_memory.data;
-    leaf_job job = {input, bvh->leaf_memory.data, pieces};
-    cylint_watch_step(input->watch, CYLINT_STEP_LEAVES, 2 * pieces);
-    cylint_threads_share(input->threads, pieces, CYLINT_WATCHED, 1, fill_leaves,
+    leaf_job job = {input, bvh->leaf_memory.data, slices};
+    cylint_watch_step(input->watch, CYLINT_STEP_LEAVES, 2 * slices);
+    cylint_threads_share(input->threads, slices, CYLINT_WATCHED, 1, fill_leaves,
                          &job);
-    for (size_t i = 0; i < pieces && cylint_watch_item(input->watch, i);
+    for (size_t i = 0; i < slices && cylint_watch_item(input->watch, i);
          i += CYLINT_LEAF_SIZE)
         memmove(leaves++, leaf_over(&job, i), sizeof *leaves);
     if (!cylint_watch_add(input->watch, 0))
@@ -283,17 +283,17 @@ cylint_bvh_status cylint_bvh_build(cylint_bvh *bvh,
                                    size_t *refused)
 {
     cylint_bvh_input in = *input;
-    size_t pieces;
+    size_t slices;
     *bvh = (cylint_bvh){.box = cylint_extent_empty()};
     if (in.n == 0)
         return CYLINT_BVH_OK;
     in.threads =
         cylint_threads_for(in.n, CYLINT_THREADS_LEAST_SHAPES, in.threads);
-    cylint_bvh_status status = split_shapes(bvh, &in, &pieces, refused);
+    cylint_bvh_status status = split_shapes(bvh, &in, &slices, refused);
     if (status == CYLINT_BVH_OK)
-        status = store_nodes(bvh, &in, pieces);
+        status = store_nodes(bvh, &in, slices);
     if (status == CYLINT_BVH_OK)
-        status = store_leaves(bvh, &in, pieces);
+        status = store_leaves(bvh, &in, slices);
     if (status != CYLINT_BVH_OK)
         cylint_bvh_free(bvh);
     return status;

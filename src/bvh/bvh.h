@@ -1,5 +1,5 @@
 /*
- * bvh.h - a bounding volume hierarchy over pieces of shapes: builds it (bvh.c),
+ * bvh.h - a bounding volume hierarchy over slices of shapes: builds it (bvh.c),
  * adapts it to shapes that have moved (refit.c), checks one of a file (sound.c)
  */
 #ifndef CYLINT_BVH_BVH_H
@@ -46,7 +46,7 @@ typedef enum cylint_bvh_status {
 
 /*
  * Builds a hierarchy on as many threads as cylint_threads_for() allows; the
- * result does not depend on their number.  Each piece of each shape is in one
+ * result does not depend on their number.  Each slice of each shape is in one
  * lane of one leaf.  On failure nothing stays allocated; for ESHAPE *refused
  * is the first such shape.
  */
@@ -69,7 +69,7 @@ void cylint_bvh_free(cylint_bvh *bvh);
 
 /*
  * Shapes [first, first + n) have moved, within the box of the hierarchy.  Their
- * pieces stay in their lanes; leaves that contain one, and the nodes above these,
+ * slices stay in their lanes; leaves that contain one, and the nodes above these,
  * are bounded again.  No box is larger than a new build over the same leaves would
  * make it, but for one step of a node's faces.
  *

@@ -1,5 +1,5 @@
 /*
- * leaf.c - bounds pieces by cylinders and stores them in leaves
+ * leaf.c - bounds slices by cylinders and stores them in leaves
  */
 #include "leaf.h"
 
@@ -8,7 +8,7 @@
 /*
  * The sides of the box are at most REACH steps from its centre.  Then ten bits
  * hold every radius, which is at most sqrt(3/2) REACH for a disc in such a box,
- * and every end of an axis, which bound_piece() has lengthened.
+ * and every end of an axis, which bound_slice() has lengthened.
  */
 #define REACH 440.0
 #define LARGEST_P 511.0
@@ -22,7 +22,7 @@ static uint16_t steps_per_unit(double half)
     return cylint_bfloat16_below(REACH < most * half ? REACH / half : most);
 }
 
-static void set_center(cylint_leaf *leaf, const cylint_boxed_piece *boxes,
+static void set_center(cylint_leaf *leaf, const cylint_boxed_slice *boxes,
                        int used)
 {
     double most = 0;
@@ -85,20 +85,20 @@ static int store_cylinder(cylint_leaf *leaf, int lane, const step_cylinder *h)
     return 1;
 }
 
-/* Stores the piece's index and count and the shape's ends. */
-static void store_numbers(cylint_leaf *leaf, int lane, cylint_shape_piece piece,
+/* Stores the slice's index and count and the shape's ends. */
+static void store_numbers(cylint_leaf *leaf, int lane, cylint_slice slice,
                           int ends)
 {
-    const uint32_t count = (uint32_t)piece.count - 1; /* 1 is stored as 0 */
+    const uint32_t count = (uint32_t)slice.count - 1; /* 1 is stored as 0 */
     leaf->p[0][lane] = count << 30;
     leaf->p[1][lane] = count >> 2 << 30;
-    leaf->r[lane] = (uint16_t)((piece.index | ends << 4) << CYLINT_LEAF_R_BITS);
+    leaf->r[lane] = (uint16_t)((slice.index | ends << 4) << CYLINT_LEAF_R_BITS);
 }
 
 /*
- * Bounds a piece by a cylinder whose axis ends at whole steps.
+ * Bounds a slice by a cylinder whose axis ends at whole steps.
  *
- * The piece is the convex hull of two sections.  A(z) is a point of its axis, X
+ * The slice is the convex hull of two sections.  A(z) is a point of its axis, X
  * a point of the section at z: X is at most `across` from the axis and at most
  * `along` from A(z) along it; a round shape has other sections than its ends,
  * with along = 0.  The axis is lengthened by g, which may differ at both ends,
@@ -117,15 +117,15 @@ static void store_numbers(cylint_leaf *leaf, int lane, cylint_shape_piece piece,
  * The 4 gives every lane an axis.  An axis so short that its direction is lost
  * to underflow has none: such a lane is always tested.
  *
- * A piece of a round shape lies in the convex hull of two balls, which are about
- * points of the axis.  If all pieces of the leaf are round, the piece is bounded
+ * A slice of a round shape lies in the convex hull of two balls, which are about
+ * points of the axis.  If all slices of the leaf are round, the slice is bounded
  * by a capsule: the smaller ball lies in a ball of the larger radius, nearer to
  * the other by the difference of the radii.  Each point of the axis is as near
  * to the rounded one as its ends are, so nothing is added but 2 steps at each end
  * of an axis shorter than 4: so every lane has one.
  */
-static int bound_piece(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
-                       cylint_shape_piece piece, double line_error)
+static int bound_slice(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
+                       cylint_slice slice, double line_error)
 {
     const int capsule = leaf->used & CYLINT_LEAF_ROUND;
     const double steps = cylint_leaf_steps(leaf);
@@ -139,7 +139,7 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
              cylint_larger(s->k[0], s->k[1]) * s->across * (1 + slope));
     const double e = 0.875 + input_error;
     const int round = s->round;
-    const cylint_piece_hull part = cylint_piece_hull_of(s, piece);
+    const cylint_slice_hull part = cylint_slice_hull_of(s, slice);
     const double k[2] = {part.k[0] * s->across * steps,
                          part.k[1] * s->across * steps};
     const double across = cylint_larger(k[0], k[1]);
@@ -171,7 +171,7 @@ static int bound_piece(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
 }
 
 void cylint_leaf_fill(cylint_leaf *leaf, const cylint_swept_disc *discs,
-                      const cylint_boxed_piece *boxes, int used,
+                      const cylint_boxed_slice *boxes, int used,
                       double line_error)
 {
     memset(leaf, 0, sizeof *leaf);
@@ -184,10 +184,10 @@ void cylint_leaf_fill(cylint_leaf *leaf, const cylint_swept_disc *discs,
     leaf->used = (uint8_t)(used | solid | round);
     for (int lane = 0; lane < used; lane++) {
         const cylint_swept_disc *disc = discs + lane;
-        const cylint_shape_piece piece = boxes[lane].piece;
+        const cylint_slice slice = boxes[lane].slice;
         leaf->number[lane] = boxes[lane].number;
-        store_numbers(leaf, lane, piece, disc->ends);
-        if (!bound_piece(leaf, lane, disc, piece, line_error))
+        store_numbers(leaf, lane, slice, disc->ends);
+        if (!bound_slice(leaf, lane, disc, slice, line_error))
             leaf->always |= (uint8_t)(1u << lane);
     }
 }

@@ -2,12 +2,12 @@
  * leaf_test.h - which lanes of a leaf a line may hit
  *
  * The test is conservative and in floats: the line certainly does not hit the
- * piece of a rejected lane within the domain.  The origin is first moved near
+ * slice of a rejected lane within the domain.  The origin is first moved near
  * the leaf's centre, in doubles where it is far away, so that the test is as
  * tight far from the origin as near it.
  *
  * For files that are compiled for several instruction sets.  The builds may
- * pass different lanes, but none rejects a piece that is hit.
+ * pass different lanes, but none rejects a slice that is hit.
  */
 #ifndef CYLINT_BVH_LEAF_TEST_H
 #define CYLINT_BVH_LEAF_TEST_H
@@ -83,7 +83,7 @@ typedef struct {
     vf t_per_s;
 } leaf_line;
 
-/* The bound of a piece. */
+/* The bound of a slice. */
 typedef enum { LEAF_CYLINDER, LEAF_CAPSULE } leaf_bound;
 
 static inline vf f_dot(const vf x[3], const vf y[3])
@@ -149,12 +149,12 @@ ASIDE unsigned near_middle(const cylint_leaf *b, int lane, const leaf_line *l)
  * Returns the lanes (bits) that the line may hit.  least[] of a lane, unless least
  * is NULL, is a lower bound of s times t_per_s.  *certain, unless certain is NULL:
  * the lanes where the line's point nearest to the axis certainly lies in the domain
- * and, if the piece belongs to a cylinder, in the piece.
+ * and, if the slice belongs to a cylinder, in the slice.
  *
  * In the notation of leaf.c: r <= across + 1 + 2 e - 7/8, and the axes are less
  * than e < 15/8 apart, so a point within r - 5 of the rounded axis is in the
  * cylinder.  g is less than 3 e + 4 + 2 sqrt(e r) < 25 + r / 8, so a point that
- * far from the ends of the rounded axis is between the ends of the piece.  The
+ * far from the ends of the rounded axis is between the ends of the slice.  The
  * errors are those above, subtracted instead of added.
  */
 CYLINT_INLINE unsigned test_lanes(const cylinders *s, const cylint_leaf *b,

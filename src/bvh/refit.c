@@ -13,14 +13,14 @@ static int has_moved(const cylint_extent *box)
 
 /* ---------------------------------------------------------------- leaves -- */
 
-/* The swept discs and boxes of the pieces in a leaf. */
+/* The swept discs and boxes of the slices in a leaf. */
 typedef struct {
     cylint_swept_disc disc[CYLINT_LEAF_SIZE];
-    cylint_boxed_piece piece[CYLINT_LEAF_SIZE];
-    cylint_extent box; /* of all pieces */
-} leaf_pieces;
+    cylint_boxed_slice slice[CYLINT_LEAF_SIZE];
+    cylint_extent box; /* of all slices */
+} leaf_slices;
 
-static void read_pieces(leaf_pieces *to, const cylint_leaf *leaf,
+static void read_slices(leaf_slices *to, const cylint_leaf *leaf,
                         const cylint_view *view)
 {
     const int used = cylint_leaf_used(leaf);
@@ -28,12 +28,12 @@ static void read_pieces(leaf_pieces *to, const cylint_leaf *leaf,
     for (int i = 0; i < used; i++)
         cylint_swept_disc_at(&to->disc[i], view, leaf->number[i]);
     for (int i = 0; i < used; i++) {
-        const cylint_shape_piece piece = cylint_leaf_piece(leaf, i);
+        const cylint_slice slice = cylint_leaf_slice(leaf, i);
         double reach[3];
         cylint_swept_disc_reach(&to->disc[i], reach);
-        const cylint_extent b = cylint_piece_box(&to->disc[i], reach, piece);
+        const cylint_extent b = cylint_slice_box(&to->disc[i], reach, slice);
         cylint_extent_include(&to->box, &b);
-        to->piece[i] = (cylint_boxed_piece){b, leaf->number[i], piece};
+        to->slice[i] = (cylint_boxed_slice){b, leaf->number[i], slice};
     }
 }
 
@@ -53,11 +53,11 @@ static void refit_leaves(const cylint_bvh *bvh, const cylint_view *view,
         leaf_box[i] = cylint_extent_empty();
         if (!contains_one(&leaves[i], first, n))
             continue;
-        leaf_pieces pieces;
-        read_pieces(&pieces, &leaves[i], view);
-        cylint_leaf_fill(&leaves[i], pieces.disc, pieces.piece,
+        leaf_slices slices;
+        read_slices(&slices, &leaves[i], view);
+        cylint_leaf_fill(&leaves[i], slices.disc, slices.slice,
                          cylint_leaf_used(&leaves[i]), view->line_error);
-        leaf_box[i] = pieces.box;
+        leaf_box[i] = slices.box;
     }
 }
 
@@ -81,14 +81,14 @@ static cylint_extent child_box(const cylint_bvh *bvh, const cylint_node *node,
     return cylint_float_box(side[0], side[1]);
 }
 
-/* The box of an unmoved leaf or node from its own pieces or children. */
+/* The box of an unmoved leaf or node from its own slices or children. */
 static cylint_extent unmoved_box(const cylint_bvh *bvh, const cylint_view *view,
                                  uint32_t child)
 {
     if (child & CYLINT_LEAF_FLAG) {
-        leaf_pieces pieces;
-        read_pieces(&pieces, &bvh->leaves[child & ~CYLINT_LEAF_FLAG], view);
-        return pieces.box;
+        leaf_slices slices;
+        read_slices(&slices, &bvh->leaves[child & ~CYLINT_LEAF_FLAG], view);
+        return slices.box;
     }
     const cylint_node *node = &bvh->nodes[child];
     cylint_extent all = cylint_extent_empty();

@@ -21,9 +21,9 @@ static int leaf_is_sound(const cylint_leaf *leaf, size_t n)
     int sound = used >= 1 && used <= CYLINT_LEAF_SIZE &&
                 are_finite(leaf->center) && steps > 0 && steps <= FLT_MAX;
     for (int i = 0; i < CYLINT_LEAF_SIZE && sound; i++) {
-        const cylint_shape_piece piece = cylint_leaf_piece(leaf, i);
+        const cylint_slice slice = cylint_leaf_slice(leaf, i);
         sound &=
-            i >= used || (leaf->number[i] < n && piece.index < piece.count);
+            i >= used || (leaf->number[i] < n && slice.index < slice.count);
     }
     return sound;
 }

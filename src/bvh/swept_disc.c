@@ -1,5 +1,5 @@
 /*
- * swept_disc.c - bounded shapes as swept discs, and the boxes of their pieces
+ * swept_disc.c - bounded shapes as swept discs, and the boxes of their slices
  */
 #include "swept_disc.h"
 
@@ -28,7 +28,7 @@ static void set_elliptic_reach(cylint_swept_disc *t, double ww)
 
 /* A single ball: its centre moves by a small part of its radius, because a leaf
  * needs the direction of an axis.  Its z can be that of a round cone of which it is
- * an end, so each piece is the whole ball. */
+ * an end, so each slice is the whole ball. */
 static void set_one_ball(cylint_swept_disc *t)
 {
     t->k[1] = t->k[0];
@@ -98,19 +98,19 @@ static double k_at(const double k[2], double z)
  * The lateral part of a round shape at z belongs to the ball at z + s, where s is
  * at most `shift` in size and has one sign for all z.  If all planes of cuts are
  * farther than that from the ends, then they cut the lateral part, which is a
- * cone, and each section is at most as wide as that ball.  Else each piece is
+ * cone, and each section is at most as wide as that ball.  Else each slice is
  * bounded as the whole; such a shape is so thick that it is rarely cut.
  */
-cylint_piece_hull cylint_piece_hull_of(const cylint_swept_disc *t,
-                                       cylint_shape_piece piece)
+cylint_slice_hull cylint_slice_hull_of(const cylint_swept_disc *t,
+                                       cylint_slice slice)
 {
-    const double overlap = 0x1p-20, count = piece.count;
+    const double overlap = 0x1p-20, count = slice.count;
     const int is_whole = t->round && !(t->shift * count < 1 - 2 * overlap);
-    const int at_end[2] = {is_whole || piece.index == 0,
-                           is_whole || piece.index == piece.count - 1};
-    cylint_piece_hull h;
-    h.z[0] = at_end[0] ? 0 : (piece.index - overlap) / count;
-    h.z[1] = at_end[1] ? 1 : (piece.index + 1 + overlap) / count;
+    const int at_end[2] = {is_whole || slice.index == 0,
+                           is_whole || slice.index == slice.count - 1};
+    cylint_slice_hull h;
+    h.z[0] = at_end[0] ? 0 : (slice.index - overlap) / count;
+    h.z[1] = at_end[1] ? 1 : (slice.index + 1 + overlap) / count;
     for (int end = 0; end < 2; end++) {
         const double s = at_end[end] ? 0 : t->shift;
         h.is_ball[end] = t->round && at_end[end];
@@ -125,10 +125,10 @@ cylint_piece_hull cylint_piece_hull_of(const cylint_swept_disc *t,
  * larger than `size`.  The sides are moved out by 2^-48 of size, and by DBL_MIN
  * for underflow.
  */
-cylint_extent cylint_piece_box(const cylint_swept_disc *t,
-                               const double reach[3], cylint_shape_piece piece)
+cylint_extent cylint_slice_box(const cylint_swept_disc *t,
+                               const double reach[3], cylint_slice slice)
 {
-    const cylint_piece_hull h = cylint_piece_hull_of(t, piece);
+    const cylint_slice_hull h = cylint_slice_hull_of(t, slice);
     double lo[3], hi[3];
     for (int j = 0; j < 3; j++) {
         const double reach0 = h.is_ball[0] ? 1 : reach[j];

@@ -4,7 +4,7 @@
  * The section at z has its centre at base + z axis.  With k(z) = k0 + (k1-k0) z
  * its points are at most k(z) `across` from the axis, and along the axis at most
  * k(z) `along` from the centre (the members below).  A round shape is swept by a
- * ball: then both members are 1.  Pieces are cut by planes across the axis.
+ * ball: then both members are 1.  Slices are cut by planes across the axis.
  */
 #ifndef CYLINT_BVH_SWEPT_DISC_H
 #define CYLINT_BVH_SWEPT_DISC_H
@@ -28,10 +28,10 @@ typedef struct cylint_swept_disc {
     double shift; /* of a round shape: cylint_section_shift(); of one ball 1 */
 } cylint_swept_disc;
 
-/* A piece of a shape: number `index` of `count` equal ones along z. */
-typedef struct cylint_shape_piece {
+/* A slice of a shape: number `index` of `count` equal ones along z. */
+typedef struct cylint_slice {
     uint16_t index, count;
-} cylint_shape_piece;
+} cylint_slice;
 
 /* Shapes in coordinates (x - center) scale, where scale is a power of two.
  * line_error: the largest error of a line's points, in these
@@ -85,23 +85,23 @@ static inline double cylint_section_shift(double k0, double k1, double square)
     return growth > 0 ? cylint_larger(k0, k1) * growth / square * slack : 0;
 }
 
-/* A piece as the convex hull of two sections.  is_ball: the section is the ball
+/* A slice as the convex hull of two sections.  is_ball: the section is the ball
  * of that end. */
-typedef struct cylint_piece_hull {
+typedef struct cylint_slice_hull {
     double z[2], k[2];
     int is_ball[2];
-} cylint_piece_hull;
+} cylint_slice_hull;
 
-/* Pieces overlap by 2^-20 of their length, so that a z with a rounding error
- * still lies in the piece that cylint_piece_at() returns. */
-cylint_piece_hull cylint_piece_hull_of(const cylint_swept_disc *disc,
-                                       cylint_shape_piece piece);
-cylint_extent cylint_piece_box(const cylint_swept_disc *disc,
-                               const double reach[3], cylint_shape_piece piece);
+/* Slices overlap by 2^-20 of their length, so that a z with a rounding error
+ * still lies in the slice that cylint_slice_at() returns. */
+cylint_slice_hull cylint_slice_hull_of(const cylint_swept_disc *disc,
+                                       cylint_slice slice);
+cylint_extent cylint_slice_box(const cylint_swept_disc *disc,
+                               const double reach[3], cylint_slice slice);
 
-/* The index of the piece that contains z.  The first and the last piece have
+/* The index of the slice that contains z.  The first and the last slice have
  * the round ends, where z is below 0 and above 1. */
-static inline int cylint_piece_at(double z, int count)
+static inline int cylint_slice_at(double z, int count)
 {
     const int index = z > 0 ? (z < 1 ? (int)(z * count) : count) : 0;
     return index < count ? index : count - 1;

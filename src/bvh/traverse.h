@@ -1,10 +1,10 @@
 /*
- * traverse.h - finds the pieces of shapes that a line may hit, or that are within a
+ * traverse.h - finds the slices of shapes that a line may hit, or that are within a
  * distance of a point, nearest first
  *
  * From the root down to the leaves by boxes, then by the lanes of leaves.  All
- * tests are conservative: the line certainly does not hit a rejected piece
- * within its domain, wherever the line begins, and no point of a rejected piece
+ * tests are conservative: the line certainly does not hit a rejected slice
+ * within its domain, wherever the line begins, and no point of a rejected slice
  * is within the distance.
  */
 #ifndef CYLINT_BVH_TRAVERSE_H
@@ -39,7 +39,7 @@ static inline int cylint_nearest_lane(unsigned lanes,
 }
 
 /* Traverses a hierarchy that is not empty with a line.  any: may return 1 if the
- * line certainly hits some shape.  If it returns 0, the callback got all pieces
+ * line certainly hits some shape.  If it returns 0, the callback got all slices
  * that the line may hit. */
 typedef int cylint_traverse_line(const cylint_bvh *bvh,
                                  const cylint_bvh_line *line,
@@ -53,7 +53,7 @@ typedef size_t cylint_traverse_all(const cylint_bvh *bvh,
                                    const cylint_bvh_line *line,
                                    cylint_leaf_callback *callback, void *self);
 
-/* Gets a leaf, of which the pieces of a lane are at least least[lane] away.  It
+/* Gets a leaf, of which the slices of a lane are at least least[lane] away.  It
  * may reduce the distance.  Returns 1 to stop the traversal. */
 typedef int cylint_point_leaf_callback(void *self, const cylint_leaf *leaf,
                                        const double least[CYLINT_LEAF_SIZE]);

@@ -1,5 +1,5 @@
 /*
- * traverse_point.c - finds the pieces of shapes within a distance of a point
+ * traverse_point.c - finds the slices of shapes within a distance of a point
  *
  * In floats, for all children of a node or lanes of a leaf together.  This file is
  * compiled for several instruction sets.
@@ -75,7 +75,7 @@ static inline void update_last(traversal *t)
 /* --------------------------------------------------------------- leaves -- */
 
 /*
- * Lower bounds of the distances to the lanes' pieces, in steps.  A piece lies in
+ * Lower bounds of the distances to the lanes' slices, in steps.  A slice lies in
  * the cylinder with the axis p to p + w and the radius r, and that in the points
  * within r of its axis.  With D = q - p the nearest point of the axis is p + z w,
  * z = D.w / ww in [0, 1].
@@ -103,7 +103,7 @@ CYLINT_INLINE void near_lanes(const cylint_leaf *b, const double q[3], double K,
 
 /*
  * Of a point that is far away, from the distance that is returned.  A point x of a
- * piece is at least (q - x).e = |q| - x.e away, where e is the unit vector of q,
+ * slice is at least (q - x).e = |q| - x.e away, where e is the unit vector of q,
  * and x.e is at most that of an end of the axis, plus r.  Axes are within 2^10 of
  * the centre, so this is less than the distance by at most 2^19 / |q| <= 4 steps,
  * and floats err by less than one.

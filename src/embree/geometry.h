@@ -102,7 +102,7 @@ static inline size_t cylint_embree_array_at(const cylint_embree_data *data,
  * for occlusion have rays alone. */
 typedef struct RTCIntersectFunctionNArguments cylint_embree_call;
 
-/* A ray, and the shape or piece to test it against. */
+/* A ray, and the shape or slice to test it against. */
 typedef struct cylint_ray_test {
     cylint_float_filter_question q; /* first: the filter's pointers are ours */
     const cylint_embree_data *data;

@@ -83,12 +83,12 @@ static inline unsigned number_of_rank(const ray_test *r, unsigned rank)
     return r->data->number ? r->data->number[rank] : rank;
 }
 
-/* Sets the question whether the ray hits a piece of the shape. */
-CYLINT_INLINE void set_question(ray_test *r, int ends, cylint_shape_piece piece)
+/* Sets the question whether the ray hits a slice of the shape. */
+CYLINT_INLINE void set_question(ray_test *r, int ends, cylint_slice slice)
 {
     cylint_embree_record(&r->data->shapes[0], r->rank, &r->q.record);
     r->q.ends = ends;
-    r->q.piece = piece;
+    r->q.slice = slice;
     r->q.exit_only = 0;
 }
 
@@ -283,11 +283,11 @@ static int record(ray_test *r)
 /* -------------------------------------------------------- testing shapes -- */
 
 /* Tests with cylint_intersect() the hits that the filter has not tested; z decides
- * which piece owns them.  If a hit has reduced tfar, the domain holds every root
+ * which slice owns them.  If a hit has reduced tfar, the domain holds every root
  * whose double is tfar; of primitives another callback may have reduced it. */
 ASIDE void test_exactly(ray_test *r)
 {
-    const cylint_shape_piece piece = r->q.piece;
+    const cylint_slice slice = r->q.slice;
     const int ties =
         !r->any && (r->data->traversal ? r->ray->tfar < r->last
                                        : present_number(r) != r->data->n);
@@ -295,7 +295,7 @@ ASIDE void test_exactly(ray_test *r)
     intersect(r, r->rank, ties, &x);
     for (int i = r->q.exit_only; i < x.answer.n; i++) {
         const cylint_hit *at = &x.answer.hit[i];
-        if (cylint_piece_at(at->z, piece.count) != piece.index)
+        if (cylint_slice_at(at->z, slice.count) != slice.index)
             continue;
         if (!r->any && !is_nearer(r, &x.answer, i))
             return;
@@ -370,7 +370,7 @@ CYLINT_INLINE int take_nearest_lane(ray_test *r, const cylint_leaf *leaf,
     CYLINT_PREFETCH(r->data->number + r->rank);
     r->q.near = least[lane] > r->ray->tnear ? least[lane] : r->ray->tnear;
     set_question(r, cylint_leaf_ends(leaf, lane),
-                 cylint_leaf_piece(leaf, lane));
+                 cylint_leaf_slice(leaf, lane));
     return 1;
 }
 
@@ -398,8 +398,7 @@ static void test_shape(ray_test *r, unsigned rank)
     const cylint_embree_shapes *s = r->data->shapes;
     double along = 0, dd = 0;
     r->rank = rank;
-    set_question(r, s->tag[r->rank] / CYLINT_TAG_ENDS,
-                 (cylint_shape_piece){0, 1});
+    set_question(r, s->tag[r->rank] / CYLINT_TAG_ENDS, (cylint_slice){0, 1});
     if (r->data->options.moved)
         cylint_embree_moving_record(s, r->rank, r->ray->time, &r->q.record);
     EACH(j, 3) {

@@ -262,7 +262,7 @@ cylint_extent cylint_embree_box(const cylint_shape *at_0,
             g[i][0] = g[i][1] = g[i][2] = 1;
         else
             cylint_swept_disc_reach(&disc, g[i]);
-        box[i] = cylint_piece_box(&disc, g[i], (cylint_shape_piece){0, 1});
+        box[i] = cylint_slice_box(&disc, g[i], (cylint_slice){0, 1});
         if (cylint_has_tangent(at[i]->kind))
             g[i][0] = g[i][1] = g[i][2] = disc.length;
     }

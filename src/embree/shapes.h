@@ -85,7 +85,7 @@ typedef enum {
 enum { CYLINT_HIT_FLOATS = 5 };
 
 /*
- * A ray, the question which is its first hit on a piece of a shape, and the answer.
+ * A ray, the question which is its first hit on a slice of a shape, and the answer.
  * All numbers of the line and near are floats; cylint_span() accepts the line.
  * near: a t near the shape.
  */
@@ -96,7 +96,7 @@ typedef struct cylint_float_filter_question {
      * negative tangent as r0; NaN radii: the filter does not decide the shape */
     cylint_record record;
     int ends; /* the shape's */
-    cylint_shape_piece piece;
+    cylint_slice slice;
     /* the same in all questions of a call: */
     int exit_only; /* only where the line leaves the shape */
     int describes; /* `floats` are wanted */

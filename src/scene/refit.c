@@ -29,9 +29,9 @@ static int measure_all(replacement *r)
     return 1;
 }
 
-/* In the frame, the box of all pieces of shapes within a box.  A piece's box is
- * larger than the piece by less than 2^-20, the rounding of its floats. */
-static void load_box_of_pieces(const cylint_frame *f, const double lo[3],
+/* In the frame, the box of all slices of shapes within a box.  A slice's box is
+ * larger than the slice by less than 2^-20, the rounding of its floats. */
+static void load_box_of_slices(const cylint_frame *f, const double lo[3],
                                const double hi[3], double lower[3],
                                double upper[3])
 {
@@ -48,7 +48,7 @@ static int stays_in_frame(const replacement *r)
     const cylint_extent *box = &r->scene->bvh.box;
     double lower[3], upper[3];
     int is = 1;
-    load_box_of_pieces(f, r->box.lo, r->box.hi, lower, upper);
+    load_box_of_slices(f, r->box.lo, r->box.hi, lower, upper);
     for (int j = 0; j < 3; j++)
         is &= r->box.lo[j] >= f->lo[j] && r->box.hi[j] <= f->hi[j] &&
               lower[j] >= (double)box->lower[j] &&
@@ -98,12 +98,12 @@ static int shrink_frame(const cylint_scene *s, const cylint_extent *box,
     return longest_side(frame->lo, frame->hi) < longest / 2;
 }
 
-/* Sets the frame, and the hierarchy's box to that of all pieces that fit in it. */
+/* Sets the frame, and the hierarchy's box to that of all slices that fit in it. */
 static void set_frame(cylint_scene *s, const cylint_frame *frame)
 {
     double lo[3], hi[3];
     s->frame = *frame;
-    load_box_of_pieces(frame, frame->lo, frame->hi, lo, hi);
+    load_box_of_slices(frame, frame->lo, frame->hi, lo, hi);
     const cylint_extent box = cylint_float_box(lo, hi);
     cylint_bvh_set_box(&s->bvh, &box, CYLINT_FRAME_ERROR);
 }

@@ -2,9 +2,9 @@
  * visit.c - the shapes of a scene that a line hits, or that are near a point or
  * hold it
  *
- * The hierarchy finds a shape of several pieces several times.  A direct-mapped
+ * The hierarchy finds a shape of several slices several times.  A direct-mapped
  * cache of the shapes that were tested last saves repeated tests.  A hash table
- * with open addressing has those that were visited; if it is full, one piece of a
+ * with open addressing has those that were visited; if it is full, one slice of a
  * shape decides: the one that contains the first hit, or has the least bound of its
  * distance from the point.
  */
@@ -68,7 +68,7 @@ static void test_each(void *visit, const int *stopped, shape_test *test,
         test(visit, list ? list[i] : i);
 }
 
-/* Whether the lane's piece is the one that decides about its shape. */
+/* Whether the lane's slice is the one that decides about its shape. */
 typedef int owner_test(const void *visit, const cylint_leaf *leaf, int lane);
 
 /* Tests the shape of a lane, unless it was tested. */
@@ -77,7 +77,7 @@ CYLINT_INLINE void test_lane(tested_shapes *s, const cylint_leaf *leaf,
                              void *visit)
 {
     const uint32_t number = leaf->number[lane];
-    if (cylint_leaf_piece(leaf, lane).count == 1) {
+    if (cylint_leaf_slice(leaf, lane).count == 1) {
         test(visit, number);
         return;
     }
@@ -115,7 +115,7 @@ CYLINT_INLINE void prefetch_shapes(const cylint_scene *scene,
 /* ---------------------------------------------------- a line and a shape -- */
 
 /*
- * A hierarchy over pieces of shapes (bvh.h) rejects shapes that the line
+ * A hierarchy over slices of shapes (bvh.h) rejects shapes that the line
  * certainly does not hit, or hits beyond the last t that is wanted
  * (traverse.h).  Of the others local coordinates in doubles reject nearly all
  * that the line does not hit; cylint_intersect() tests the others.
@@ -218,16 +218,16 @@ static int test_line_at(void *self, size_t number)
 
 /* ----------------------------------------------------- a line and leaves -- */
 
-/* Whether the lane's piece contains the shape's first hit.  The leaf test never
- * rejects that piece while t is in the domain, and no other piece contains the
+/* Whether the lane's slice contains the shape's first hit.  The leaf test never
+ * rejects that slice while t is in the domain, and no other slice contains the
  * hit. */
 static int owns_first_hit(const void *self, const cylint_leaf *leaf, int lane)
 {
-    const cylint_shape_piece piece = cylint_leaf_piece(leaf, lane);
+    const cylint_slice slice = cylint_leaf_slice(leaf, lane);
     cylint_shape shape;
     cylint_hit hit;
     return line_hits(self, leaf->number[lane], CYLINT_WANT_Z, &shape, &hit) &&
-           cylint_piece_at(hit.z, piece.count) == piece.index;
+           cylint_slice_at(hit.z, slice.count) == slice.index;
 }
 
 static void test_line_lane(line_visit *v, const cylint_leaf *leaf, int lane)
@@ -280,7 +280,7 @@ static void visit_later_chords(line_visit *v)
         const cylint_leaf *leaf = v->later[i].leaf;
         const int lane = v->later[i].lane;
         const uint32_t at = leaf->number[lane];
-        if (cylint_leaf_piece(leaf, lane).count > 1 &&
+        if (cylint_leaf_slice(leaf, lane).count > 1 &&
             was_tested(&v->tested, at))
             continue;
         const int kind = cylint_record_kind(r, at);
@@ -381,13 +381,13 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
  * The hierarchy rejects shapes that are certainly farther than the radius
  * (traverse_point.c).  cylint_distance() computes the distances to the others.
  *
- * The box of a piece contains the surface and the solid of the piece, whatever
- * its ends: a piece is the convex hull of two sections (leaf.c), and the pieces
+ * The box of a slice contains the surface and the solid of the slice, whatever
+ * its ends: a slice is the convex hull of two sections (leaf.c), and the slices
  * of a shape cover its solid.  The distance to a box is 0 for a point inside.  So
  * it is a lower bound of the distance to the surface, and of the distance to the
  * closed solid, which is 0 inside.  A traversal with the radius 0 therefore finds
- * a piece of each solid that holds the point: the bounds of traverse_point.c are
- * lower by more than their roundings, so they are 0 for such a piece.  Solids
+ * a slice of each solid that holds the point: the bounds of traverse_point.c are
+ * lower by more than their roundings, so they are 0 for such a slice.  Solids
  * deeper than a negative radius hold the point, so that they are found too.
  */
 
@@ -479,18 +479,18 @@ static void point_to_frame(const cylint_frame *frame, const double point[3],
         x[j] = (point[j] - frame->view.center[j]) * frame->view.scale;
 }
 
-/* The pieces of a shape and a point, in the frame. */
+/* The slices of a shape and a point, in the frame. */
 typedef struct {
     cylint_swept_disc disc;
     double reach[3], x[3];
     uint16_t count;
-} shape_pieces;
+} shape_slices;
 
-/* The distance of the point from the box of piece i. */
-static double distance_from_box(const shape_pieces *p, uint16_t i)
+/* The distance of the point from the box of slice i. */
+static double distance_from_box(const shape_slices *p, uint16_t i)
 {
     const cylint_extent box =
-        cylint_piece_box(&p->disc, p->reach, (cylint_shape_piece){i, p->count});
+        cylint_slice_box(&p->disc, p->reach, (cylint_slice){i, p->count});
     double square = 0;
     for (int j = 0; j < 3; j++) {
         const double x = p->x[j];
@@ -503,16 +503,16 @@ static double distance_from_box(const shape_pieces *p, uint16_t i)
 }
 
 /*
- * The same for a capsule that contains piece i, negative in it.  Its axis is longer
- * than the piece by what an oblique section reaches along it; where balls end the
- * piece, it is shorter at the smaller one.  So it lies in the bound of leaf.c.
+ * The same for a capsule that contains slice i, negative in it.  Its axis is longer
+ * than the slice by what an oblique section reaches along it; where balls end the
+ * slice, it is shorter at the smaller one.  So it lies in the bound of leaf.c.
  * NaN if the axis is lost to underflow.
  */
-static double distance_from_capsule(const shape_pieces *p, uint16_t i)
+static double distance_from_capsule(const shape_slices *p, uint16_t i)
 {
     const cylint_swept_disc *disc = &p->disc;
-    const cylint_piece_hull h =
-        cylint_piece_hull_of(disc, (cylint_shape_piece){i, p->count});
+    const cylint_slice_hull h =
+        cylint_slice_hull_of(disc, (cylint_slice){i, p->count});
     const double k = cylint_larger(h.k[0], h.k[1]);
     double D[3], z[2], square = 0;
     for (int end = 0; end < 2; end++) {
@@ -535,16 +535,16 @@ static double distance_from_capsule(const shape_pieces *p, uint16_t i)
 }
 
 /*
- * Whether the lane's piece is the first of those of its shape for which the larger
- * of the two distances is least.  For the piece with the nearest point neither is
- * above v->radius if the shape is near.  So that holds for this piece, but for an
+ * Whether the lane's slice is the first of those of its shape for which the larger
+ * of the two distances is least.  For the slice with the nearest point neither is
+ * above v->radius if the shape is near.  So that holds for this slice, but for an
  * error that is less than traverse_point.c allows for: its lane is never rejected.
  */
 static int owns_point(const void *self, const cylint_leaf *leaf, int lane)
 {
     const point_visit *v = self;
-    const cylint_shape_piece own = cylint_leaf_piece(leaf, lane);
-    shape_pieces p = {.count = own.count};
+    const cylint_slice own = cylint_leaf_slice(leaf, lane);
+    shape_slices p = {.count = own.count};
     point_to_frame(&v->scene->frame, v->point, p.x);
     cylint_swept_disc_at(&p.disc, &v->scene->frame.view, leaf->number[lane]);
     cylint_swept_disc_reach(&p.disc, p.reach);

@@ -1,5 +1,5 @@
 /*
- * test_nodes.c - nodes, pieces and traversals of the hierarchy; builds by
+ * test_nodes.c - nodes, slices and traversals of the hierarchy; builds by
  * several threads, and their progress
  */
 #include <math.h>
@@ -67,7 +67,7 @@ TEST(needles_are_cut_and_shapes_as_wide_as_long_are_not)
 {
     static const struct {
         int kind;
-        size_t n, least, most; /* pieces of a shape */
+        size_t n, least, most; /* slices of a shape */
         size_t most_nodes;
     } of[] = {{SCENE_FAT, 1000, 1, 1, 125 / 4},
               {SCENE_THIN, 2000, 2, 3, SIZE_MAX},
@@ -99,7 +99,7 @@ TEST(scenes_without_good_splits_have_correct_nodes)
     }
 }
 
-/* A piece of a needle that is shorter than the steps of floats has the same box. */
+/* A slice of a needle that is shorter than the steps of floats has the same box. */
 TEST(tiny_shapes_are_not_cut)
 {
     enum { N = 800 };
@@ -311,7 +311,7 @@ static void check_progress(const struct scene_shapes *of, int threads)
     cylint_scene_free(made);
 }
 
-/* Some shapes are long and in pieces, some are unbounded.  Nor do several threads
+/* Some shapes are long and in slices, some are unbounded.  Nor do several threads
  * change the scene. */
 TEST(progress_grows_and_stops_a_build_but_does_not_change_the_scene)
 {
@@ -323,7 +323,7 @@ TEST(progress_grows_and_stops_a_build_but_does_not_change_the_scene)
     }
 }
 
-/* --------------------------------------------------------------- pieces -- */
+/* --------------------------------------------------------------- slices -- */
 
 /* A cone or round cone of any taper, 1 to 30 times as long as thick. */
 static void draw_tapered(int round, cylint_shape *shape)
@@ -356,9 +356,9 @@ static unsigned lanes_hit(const cylint_leaf *leaf, const double o[3],
     return test_line(leaf, NULL, &line, &along, least, NULL);
 }
 
-/* Each hit lies in the box of the piece that owns it, and the leaf test does not
- * reject that piece where the domain ends at the hit, or is the hit. */
-static long check_pieces(const cylint_shape *shape, const cylint_line *line,
+/* Each hit lies in the box of the slice that owns it, and the leaf test does not
+ * reject that slice where the domain ends at the hit, or is the hit. */
+static long check_slices(const cylint_shape *shape, const cylint_line *line,
                          int count)
 {
     const cylint_view view = cylint_plain_view(shape);
@@ -370,10 +370,10 @@ static long check_pieces(const cylint_shape *shape, const cylint_line *line,
     const int n = cylint_intersect(shape, line, CYLINT_WANT_ALL, &answer);
     for (int i = 0; i < n; i++) {
         const cylint_hit *hit = &answer.hit[i];
-        const cylint_shape_piece piece = {
-            (uint16_t)cylint_piece_at(hit->z, count), (uint16_t)count};
-        const cylint_extent box = cylint_piece_box(&swept, reach, piece);
-        const cylint_boxed_piece boxed = {box, 0, piece};
+        const cylint_slice slice = {(uint16_t)cylint_slice_at(hit->z, count),
+                                    (uint16_t)count};
+        const cylint_extent box = cylint_slice_box(&swept, reach, slice);
+        const cylint_boxed_slice boxed = {box, 0, slice};
         cylint_leaf leaf;
         cylint_leaf_fill(&leaf, &swept, &boxed, 1, 0);
         for (int j = 0; j < 3; j++)
@@ -381,13 +381,13 @@ static long check_pieces(const cylint_shape *shape, const cylint_line *line,
                   hit->point[j] <= (double)box.upper[j]);
         if (!CHECK(lanes_hit(&leaf, line->o, line->d, hit->t) &&
                    lanes_hit(&leaf, hit->point, line->d, 0)))
-            REPORT("piece %d of %d, kind %d, radii %g and %g", piece.index,
+            REPORT("slice %d of %d, kind %d, radii %g and %g", slice.index,
                    count, shape->kind, cylint_r0(shape), cylint_r1(shape));
     }
     return n;
 }
 
-TEST(pieces_contain_the_hits_that_they_own)
+TEST(slices_contain_the_hits_that_they_own)
 {
     long hits = 0;
     for (int i = 0; i < 20000; i++) {
@@ -403,7 +403,7 @@ TEST(pieces_contain_the_hits_that_they_own)
             d[j] = along + between(-0.8, 0.8) - o[j];
         }
         CHECK(cylint_ray(&line, o, d) == CYLINT_OK);
-        hits += check_pieces(&shape, &line, 1 + i % 8);
+        hits += check_slices(&shape, &line, 1 + i % 8);
     }
     CHECK(hits > 20000);
 }

@@ -2,7 +2,7 @@
  * test_float_filter.c - the float filter agrees with the library
  *
  * Every build that this processor can run, on lines of all families, rounded to
- * floats: first hits on pieces, hits where the line leaves, t and the floats of a
+ * floats: first hits on slices, hits where the line leaves, t and the floats of a
  * description bit for bit.
  */
 #include <float.h>
@@ -76,14 +76,14 @@ static float near_shape(const struct filter_case *q, uint64_t index)
     return (float)(t * (index % 3 == 1 ? 0.98 : 1.03));
 }
 
-/* Pieces and limits of case i: tmax infinite, or near the first hit. */
-static void set_piece(struct filter_case *x, uint64_t i)
+/* Slices and limits of case i: tmax infinite, or near the first hit. */
+static void set_slice(struct filter_case *x, uint64_t i)
 {
     const int count = i % 3 ? 1 : 1 + (int)(i / 3 % 16);
     float tmax = HUGE_VALF;
     x->q.ends = x->shape->ends;
-    x->q.piece = (cylint_shape_piece){(uint16_t)((int)(i / 48) % count),
-                                      (uint16_t)count};
+    x->q.slice =
+        (cylint_slice){(uint16_t)((int)(i / 48) % count), (uint16_t)count};
     x->q.exit_only = i % 11 == 0;
     x->q.describes = i % 7 != 0;
     const double t = x->answer.hit[i / 4 % 2 && x->n ? x->n - 1 : 0].t;
@@ -111,7 +111,7 @@ static int make_case(struct filter_case *x, const cylint_shape *shape,
     x->shape = shape;
     x->n = cylint_intersect(shape, &line, CYLINT_WANT_ALL, &x->answer);
     x->q.near = near_shape(x, index);
-    set_piece(x, index);
+    set_slice(x, index);
     return 1;
 }
 
@@ -137,12 +137,12 @@ struct filter_call {
     int n;
 };
 
-/* The library's first hit on the piece, or NULL. */
-static const cylint_hit *hit_on_piece(const struct filter_case *x)
+/* The library's first hit on the slice, or NULL. */
+static const cylint_hit *hit_on_slice(const struct filter_case *x)
 {
     for (int i = 0; i < x->n; i++)
-        if (cylint_piece_at(x->answer.hit[i].z, x->q.piece.count) ==
-                x->q.piece.index &&
+        if (cylint_slice_at(x->answer.hit[i].z, x->q.slice.count) ==
+                x->q.slice.index &&
             (!x->q.exit_only || x->answer.hit[i].side == CYLINT_SIDE_LEAVING))
             return &x->answer.hit[i];
     return NULL;
@@ -182,7 +182,7 @@ static int ball_of(const struct filter_case *x, const cylint_hit *hit)
 static int is_right(const struct filter_case *x, struct tally *tally)
 {
     const cylint_float_filter_question *q = &x->q;
-    const cylint_hit *hit = hit_on_piece(x);
+    const cylint_hit *hit = hit_on_slice(x);
     const float f = hit ? cylint_float_above(hit->t) : HUGE_VALF;
     const double t = (double)f, tmax = q->line.tmax;
     tally->hits += t < tmax;

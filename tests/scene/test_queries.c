@@ -276,7 +276,7 @@ static void fill_bundle(struct scene_shapes *of, double width)
 
 enum { BUNDLED = 700 };
 
-TEST(shapes_of_many_pieces_count_once)
+TEST(shapes_of_many_slices_count_once)
 {
     static cylint_shape shapes[BUNDLED];
     struct scene_shapes of = {.name = "bundle", .shapes = shapes, .n = BUNDLED};
@@ -310,7 +310,7 @@ TEST(shapes_of_many_pieces_count_once)
 }
 
 /* Elliptic cylinders that are flat but for the last bits of their semi-axes, so
- * that no plane between two pieces can be computed in doubles.  All hold 0: their
+ * that no plane between two slices can be computed in doubles.  All hold 0: their
  * numbers have so few bits that c is exact. */
 static void fill_sheets(struct scene_shapes *of)
 {
@@ -329,7 +329,7 @@ static void fill_sheets(struct scene_shapes *of)
     }
 }
 
-TEST(flat_shapes_of_several_pieces_hold_their_points)
+TEST(flat_shapes_of_several_slices_hold_their_points)
 {
     static const double zero[3] = {0, 0, 0};
     static cylint_shape shapes[BUNDLED];
@@ -341,14 +341,14 @@ TEST(flat_shapes_of_several_pieces_hold_their_points)
     }
 }
 
-/* Thick oblique shapes of few pieces, whose boxes overlap, and radii at which a
- * piece that is only a little farther is rejected.  Some points are as near to two
- * pieces. */
-TEST(one_piece_decides_about_a_shape_near_a_point)
+/* Thick oblique shapes of few slices, whose boxes overlap, and radii at which a
+ * slice that is only a little farther is rejected.  Some points are as near to two
+ * slices. */
+TEST(one_slice_decides_about_a_shape_near_a_point)
 {
     enum { COPIES = 220, TURNS = 90, POINTS_EACH = 60 };
     static const double p[3] = {0, 0, 0}, q[3] = {8, 8, 8};
-    static const double between_pieces[][3] = {
+    static const double between_slices[][3] = {
         {4, 4, 5}, {0, 0, 1}, {-3, 0, 0}, {2, 2, 2}, {9, 0, 0}};
     static cylint_shape shapes[COPIES];
     stream = check_seed();
@@ -365,7 +365,7 @@ TEST(one_piece_decides_about_a_shape_near_a_point)
             const double middle = between(0, 8);
             for (int j = 0; j < 3; j++)
                 at[j] =
-                    i < 5 ? between_pieces[i][j] : middle + r * between(-1, 1);
+                    i < 5 ? between_slices[i][j] : middle + r * between(-1, 1);
             const double d = fabs(cylint_distance(shapes, at, 0, &near));
             CHECK(cylint_scene_within_count(scene, at, d, 0, 0) == COPIES);
         }
