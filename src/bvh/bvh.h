@@ -81,8 +81,8 @@ cylint_extent cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view,
                                cylint_extent *extents);
 
 /* The mean number of nodes and leaves that a traversal visits for a random line
- * through the centre of one of their boxes.  After a refit the same boxes are chosen
- * again. */
+ * through the centre of one of their boxes.  After a refit the boxes are those of
+ * the same nodes. */
 double cylint_bvh_cost(const cylint_bvh *bvh);
 
 /*

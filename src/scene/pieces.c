@@ -534,7 +534,7 @@ static size_t find_pieces(collector *c, sweep *s, cylint_workspace *work)
         return 0;
     if (!has_room(work))
         return CYLINT_NO_ROOM;
-    /* each search is complete up to farther on, the last one up to the end */
+    /* each search is complete up to a larger t, the last one up to tmax */
     for (int i = are_few ? SEARCHES : 0;; i--) {
         collect(c, i > 0 ? s->capacity : 0, least_complete);
         if (c->n > c->capacity) {

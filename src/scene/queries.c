@@ -42,14 +42,13 @@ static double keep_least(void *context, const cylint_found *x)
 
 typedef struct {
     size_t count, enough;
-    double wanted; /* what the callback returns until there are enough */
 } shape_counter;
 
 static double count_one(void *context, const cylint_found *x)
 {
     shape_counter *q = context;
     (void)x;
-    return ++q->count == q->enough ? (double)NAN : q->wanted;
+    return ++q->count == q->enough ? (double)NAN : HUGE_VAL;
 }
 
 /* A heap of the lowest numbers from `first` on, with the highest of them first.
@@ -58,7 +57,6 @@ typedef struct {
     size_t *numbers;
     double *values;
     size_t n, capacity, first;
-    double wanted; /* what the callback returns */
 } lowest_numbers;
 
 static void put(lowest_numbers *heap, size_t at, size_t number, double value)
@@ -103,12 +101,12 @@ static double collect_number(void *context, const cylint_found *x)
 {
     lowest_numbers *heap = context;
     if (x->number < heap->first)
-        return heap->wanted;
+        return HUGE_VAL;
     if (heap->n < heap->capacity)
         sift_up(heap, heap->n++, x->number, x->at);
     else if (x->number < heap->numbers[0])
         sift_down(heap, heap->capacity, x->number, x->at);
-    return heap->wanted;
+    return HUGE_VAL;
 }
 
 /* Sorts the numbers, ascending.  Then they are no heap.  Returns how many. */
@@ -194,7 +192,7 @@ static size_t count_except(const cylint_scene *scene, const cylint_line *line,
     const size_t others = together && scene->n_others > 0
                               ? cylint_count(&scene->pack, line, enough)
                               : 0;
-    shape_counter q = {others, enough, HUGE_VAL};
+    shape_counter q = {others, enough};
     if (enough == 0 || q.count < enough)
         cylint_visit_line(scene, line, &options, HUGE_VAL, count_one, &q);
     return q.count;
@@ -215,7 +213,7 @@ int cylint_scene_occluded(const cylint_scene *scene, const cylint_line *line,
 size_t cylint_scene_all(const cylint_scene *scene, const cylint_line *line,
                         size_t first, size_t *numbers, size_t capacity)
 {
-    lowest_numbers heap = {numbers, NULL, 0, capacity, first, HUGE_VAL};
+    lowest_numbers heap = {numbers, NULL, 0, capacity, first};
     if (capacity == 0)
         return 0;
     const cylint_visit_options options = {.except = scene->n, .in_no_order = 1};
@@ -254,7 +252,7 @@ static size_t count_about(const cylint_scene *scene, const double point[3],
                           double radius, cylint_nearness nearness,
                           size_t enough)
 {
-    shape_counter q = {0, enough, radius};
+    shape_counter q = {0, enough};
     cylint_visit_point(scene, point, radius, nearness, enough == 1, count_one,
                        &q);
     return q.count;
@@ -277,7 +275,7 @@ size_t cylint_scene_within(const cylint_scene *scene, const double point[3],
                            double radius, unsigned want, size_t first,
                            size_t *numbers, double *distances, size_t capacity)
 {
-    lowest_numbers heap = {numbers, distances, 0, capacity, first, radius};
+    lowest_numbers heap = {numbers, distances, 0, capacity, first};
     if (capacity == 0)
         return 0;
     cylint_visit_point(scene, point, radius, cylint_nearness_of(want), 0,

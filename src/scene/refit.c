@@ -61,8 +61,8 @@ static double longest_side(const double lo[3], const double hi[3])
     return fmax(hi[0] - lo[0], fmax(hi[1] - lo[1], hi[2] - lo[2]));
 }
 
-/* Makes the frame of the shapes in the hierarchy, with room for shapes that move on,
- * within the range of frames. */
+/* Makes the frame of the shapes in the hierarchy, within the range of frames, with
+ * room for shapes that move on. */
 static void make_frame(const cylint_scene *s, cylint_frame *frame)
 {
     cylint_shapes_box all = CYLINT_NO_BOX;

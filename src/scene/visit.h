@@ -21,7 +21,8 @@ typedef struct cylint_found {
     cylint_interval chord;         /* of a line, in a visit of chords */
 } cylint_found;
 
-/* Returns what a cylint_scene_hit or a cylint_scene_near does. */
+/* Returns what a cylint_scene_hit or a cylint_scene_near does: HUGE_VAL changes
+ * nothing. */
 typedef double cylint_use_found(void *context, const cylint_found *found);
 
 typedef struct cylint_visit_options {
