@@ -96,8 +96,8 @@ typedef int cylint_scene_progress(void *context, double part);
  * Unbounded shapes (infinite, nappe) and shapes with a coordinate, a factor or a
  * tangent beyond 2^400 are beside the hierarchy: every line is tested with them.
  * So are up to 16 shapes that are very far from the others or very large
- * (cylint_scene(3)), and all shapes if the box of the others is smaller than 2^-400.
- * They are packed without a call of progress().
+ * (cylint_scene(3)), and all shapes if the box of the others is smaller than
+ * 2^-400.  They are packed without a call of progress().
  */
 CYLINT_API cylint_scene_status
 cylint_scene_finish(cylint_scene *scene, int threads,

@@ -13,8 +13,8 @@
 
 /*
  * The line x + t d, where x is relative to the centre of the hierarchy, and
- * r = 1 / d.  It crosses a face at F where t = F r - x r.  enter and leave are -x r,
- * minus and plus a bound of the errors.
+ * r = 1 / d.  It crosses a face at F where t = F r - x r.  enter and leave are
+ * -x r, minus and plus a bound of the errors.
  */
 typedef struct {
     float r[3], enter[3], leave[3];

@@ -309,8 +309,8 @@ INLINE vd size_along(const questions *q, vd s)
     return q->Dn + v_abs(s) * q->U;
 }
 
-/* z at s, and its error with that of the library's z, u |z|: 17 u of size_along() / W
- * besides that of s. */
+/* z at s, and its error with that of the library's z, u |z|: 17 u of
+ * size_along() / W besides that of s. */
 INLINE void set_z(const questions *q, hit *at)
 {
     at->z = q->z0 + at->s * q->dz;
