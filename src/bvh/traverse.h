@@ -39,8 +39,8 @@ static inline int cylint_nearest_lane(unsigned lanes,
 }
 
 /* Traverses a hierarchy that is not empty with a line.  any: may return 1 if the
- * line certainly hits some shape.  If it returns 0, the callback got all slices
- * that the line may hit. */
+ * line certainly hits some shape.  If it returns 0, and the callback did not stop
+ * it, the callback got all slices that the line may hit. */
 typedef int cylint_traverse_line(const cylint_bvh *bvh,
                                  const cylint_bvh_line *line,
                                  cylint_leaf_callback *callback, void *self,
