@@ -183,8 +183,8 @@ static void rank_by_leaves(cylint_embree_data *data)
 }
 
 /* Builds the hierarchy of all shapes, or again of all but a few. */
-static int build(cylint_embree_data *data, cylint_bvh_input from,
-                 cylint_embree_problem *problem)
+static int build_near(cylint_embree_data *data, cylint_bvh_input from,
+                      cylint_embree_problem *problem)
 {
     const size_t bytes = data->n * sizeof(uint32_t);
     int status = build_bvh(data, &from, problem);
@@ -235,7 +235,7 @@ static int compute_state(cylint_embree_data *data,
                              .source = &data->source};
     int status = check_arrays(data, problem);
     if (status == CYLINT_EMBREE_OK)
-        status = data->traversal ? build(data, from, problem)
+        status = data->traversal ? build_near(data, from, problem)
                                  : check_shapes(data, problem);
     if (status != CYLINT_EMBREE_OK || data->n == 0)
         return status;
