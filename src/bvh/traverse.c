@@ -17,6 +17,11 @@ typedef struct {
     int n;
 } traversal;
 
+static inline int line_reaches(const traversal *t, const entry *e)
+{
+    return e->key >> 32 <= t->ray->last_key;
+}
+
 CYLINT_INLINE unsigned children_on_line(const ray_state *ray,
                                         const cylint_node *node,
                                         child_hits *hits)
@@ -31,7 +36,7 @@ CYLINT_INLINE unsigned children_on_line(const ray_state *ray,
     return hit & node->children;
 }
 
-#define IS_NEEDED(t, e) ((e)->key >> 32 <= (t)->ray->last_key)
+#define IS_NEEDED line_reaches
 #define HIT_CHILDREN(t, e, node, hits) children_on_line((t)->ray, node, hits)
 #define ENTRY_OF keyed_entry
 #include "traverse_template.h"

@@ -23,6 +23,11 @@ typedef struct {
     int n;
 } traversal;
 
+static inline int is_within_bound(const traversal *t, const entry *e)
+{
+    return e->key >> 32 <= order_key(t->last);
+}
+
 /* ---------------------------------------------------------------- boxes -- */
 
 /*
@@ -67,7 +72,7 @@ static inline void update_last(traversal *t)
                                  (d + t->nearest) * (1 + 0x1p-18));
 }
 
-#define IS_NEEDED(t, e) ((e)->key >> 32 <= order_key((t)->last))
+#define IS_NEEDED is_within_bound
 #define HIT_CHILDREN(t, e, node, hits) children_near(t, node, hits)
 #define ENTRY_OF keyed_entry
 #include "traverse_template.h"
