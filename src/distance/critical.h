@@ -34,11 +34,6 @@ typedef struct {
                      -square[2] */
 } stationary;
 
-/* cos and sin of an angle; the sum of their squares is 1 to the last place. */
-typedef struct {
-    triple cos, sin;
-} direction;
-
 enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 40 };
 
 /* A cos or sin below UPRIGHT may be 0; one below TINY counts as 0. */
@@ -201,15 +196,6 @@ static double slope_at(const stationary *f, const direction *at, int in_triples)
                       : slope.linear[0].a * c + slope.linear[1].a * s +
                             slope.square[1].a * c * s +
                             slope.square[0].a * (c - s) * (c + s);
-}
-
-/* Divides by the length, which is nearly 1. */
-static void normalize(direction *d)
-{
-    const triple square = triple_mul2(d->cos, d->cos, d->sin, d->sin);
-    const triple half = triple_scale(triple_sub(square, triple_of(1)), 0.5);
-    d->cos = triple_sub(d->cos, triple_mul(d->cos, half));
-    d->sin = triple_sub(d->sin, triple_mul(d->sin, half));
 }
 
 /* Sets a cos or sin that is nearly 0 to 0 if the form is 0 there, or if products of

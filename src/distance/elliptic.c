@@ -174,19 +174,20 @@ static int is_within(const search *s, triple z, double rho)
 
 static void try_lateral(search *s, const direction *at)
 {
-    triple u[3], v[3], E[3];
+    ruling r;
+    triple E[3];
     candidate x = candidate_of(CYLINT_FEATURE_LATERAL, 1, at);
-    load_ruling(&s->p, at, u, v);
+    load_ruling(&r, s->p.a, s->p.b, s->p.g, s->p.k1, at);
     for (int i = 0; i < 3; i++)
-        E[i] = triple_sub(s->p.Q[i], triple_scale(u[i], s->p.near));
-    x.z = triple_div(triple_dot(E, v), triple_dot(v, v));
+        E[i] = triple_sub(s->p.Q[i], triple_scale(r.u[i], s->p.near));
+    x.z = triple_div(triple_dot(E, r.v), triple_dot(r.v, r.v));
     const double rho = triple_value(
         triple_add(triple_of(s->p.near), triple_mul(s->p.k1, x.z)));
     x.nappe = rho < 0 ? -1 : 1;
     if (!is_within(s, triple_scale(x.z, s->p.stretch), rho))
         return;
     for (int i = 0; i < 3; i++)
-        x.zv[i] = triple_mul(x.z, v[i]);
+        x.zv[i] = triple_mul(x.z, r.v[i]);
     s->has_lateral = 1;
     place(s, &x, s->p.a, at->cos, s->p.b, at->sin);
     offer(s, &x);
@@ -269,8 +270,7 @@ static pair height_over(const triple R[3], const triple N[3])
 /* N is u' x v, a x b or the axis, outward. */
 static void load_normal(search *s)
 {
-    triple u[3], v[3], du[3];
-    const direction *at = &s->best.at;
+    ruling r;
     /* mutant '1' -> '2': no effect, unit vectors follow from N */
     const int right = cylint_left_handed(s->p.shape) ? -1 : 1;
     int sign = s->best.nappe * right;
@@ -281,9 +281,8 @@ static void load_normal(search *s)
         cross_units(s->N, s->p.a, s->p.b);
         sign = s->best.feature == CYLINT_FEATURE_CAP0 ? -right : right;
     } else {
-        load_ruling(&s->p, at, u, v);
-        triple_combine(du, s->p.b, at->cos, s->p.a, triple_neg(at->sin));
-        cross_units(s->N, du, v);
+        load_ruling(&r, s->p.a, s->p.b, s->p.g, s->p.k1, &s->best.at);
+        cross_units(s->N, r.du, r.v);
     }
     for (int i = 0; i < 3; i++)
         s->N[i] = triple_scale(s->N[i], sign);
@@ -427,19 +426,18 @@ static void write_elliptic_point(const search *s, int is_on, double to[3])
     const double turn =
         best->factor > 0 ? direction_error(&s->form[best->feature], &best->at)
                          : 0;
-    triple u[3], v[3];
+    ruling r;
     const triple beside = triple_scaled(best->z, p->far - p->whole),
                  z = triple_add(beside, p->moved);
     const double z_terms = fabs(beside.a) + fabs(p->moved.a);
-    load_ruling(p, &best->at, u, v);
+    load_ruling(&r, p->a, p->b, p->g, p->k1, &best->at);
     for (int i = 0; i < 3; i++) {
-        const double turned = turn * fabs(p->b[i].a * best->at.cos.a -
-                                          p->a[i].a * best->at.sin.a);
+        const double turned = turn * fabs(r.du[i].a);
         const double v_terms =
-            fabs(p->g[i].a) + fabs(p->k1.a) * (fabs(u[i].a) + turned);
+            fabs(p->g[i].a) + fabs(p->k1.a) * (fabs(r.u[i].a) + turned);
         const double x = is_on
                              ? p->point[i]
-                             : point_of(s, i, triple_mul(z, v[i]),
+                             : point_of(s, i, triple_mul(z, r.v[i]),
                                         best->terms[i] + best->factor * turned,
                                         z_terms * v_terms);
         to[i] = cylint_positive_zero(x);

@@ -53,7 +53,6 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
                                   cylint_closest *answer)
 {
     elliptic_question q;
-    elliptic_numbers m;
     elliptic_answer a;
     double d;
     int effort, certain;
@@ -64,11 +63,11 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
         return all;
     if (q.side == 0 && cylint_contains(shape, point) == 0)
         return want | CYLINT_IS_ON_SURFACE;
-    if (find_in_pairs(&q, &m, point) == CYLINT_NO_FEATURE)
+    if (find_elliptic_feature(&q) == CYLINT_NO_FEATURE)
         return all;
     effort = first_effort(&q, want);
     do {
-        answer_in_pairs(&a, &q, &m, point, effort, want);
+        answer_in_pairs(&a, &q, point, effort, want);
         certain = m_any(rounds(a.distance, &d));
     } while (!certain && effort++ < 2);
     /* untaken 1 of 6: every known certain distance has the sign of the side */

@@ -23,8 +23,8 @@
  * 8 l h |norm| <= k.
  *
  * R from a point of the rim, in whose plane the height is h, has the component w =
- * |R.v| / |v| along the rim.  So the distance is less than |R| by at most w^2 / |R|
- * and twice the bound for the height.
+ * |R.u'| / |u'| = |l u'| along the rim.  So the distance is less than |R| by at
+ * most w^2 / |R| and twice the bound for the height.
  *
  * Beside the lateral surface, on either side, let c = norm / |N| and 16 c (l +
  * 2 |n| c) <= rho.  A turn changes n by n' sin - 2 (n + rho) s^2, where s is

@@ -2,15 +2,18 @@
  * elliptic_pairs.h - the distance, nearest point and normal of an elliptic shape in
  * pairs, given the feature and the angle in doubles
  *
+ * As in elliptic.c, an angle has u = a cos + b sin, u' = b cos - a sin, the ruling
+ * v = h + (k - 1) u and the normal N = u' x v.  With the point D from the base, and
+ * F from the centre of an end whose factor is f, the distance is
+ *     (D - u).N / |N|       from the tangent plane,
+ *     F.(a x b) / |a x b|   from the plane of a cap,
+ *     |F - f u|             from a rim.
+ *
  * The effort 0 computes the distance once: its error by that of the angle is of
  * the second order.  The point and the normal, and a distance that is not
  * certain by then, need the angle in pairs: one more step of Newton's
  * iteration, effort 1.  Near the lateral surface and the caps the effort is 2:
- * there n, a small difference of large terms, is computed in triples.  With
- * U = b x h, V = h x a and W = a x b, which are the rows of the inverse matrix
- * times a.(b x h),
- *     n = cos D.U + sin D.V - (a.(b x h) + (k - 1) D.W)
- *     N = cos U + sin V - (k - 1) W.
+ * there a small difference of large terms is computed in triples.
  */
 #ifndef CYLINT_ELLIPTIC_PAIRS_H
 #define CYLINT_ELLIPTIC_PAIRS_H
@@ -36,6 +39,12 @@ INLINE sized sized_product(sized x, sized y)
     return (sized){vpair_product(x.v, y.v), x.size * y.size};
 }
 
+INLINE sized sized_times(sized x, double f)
+{
+    const vpair p = v_two_prod(x.v.hi, f);
+    return (sized){{p.hi, v_sum_of(x.v.lo, f, p.lo)}, x.size * fabs(f)};
+}
+
 INLINE sized sized_sum(sized x, sized y)
 {
     return (sized){vpair_add(x.v, y.v), x.size + y.size};
@@ -44,12 +53,6 @@ INLINE sized sized_sum(sized x, sized y)
 INLINE sized sized_difference(sized x, sized y)
 {
     return (sized){vpair_sub(x.v, y.v), x.size + y.size};
-}
-
-/* Where terms have cancelled, the low part can be as large as the high one. */
-INLINE sized sized_trimmed(sized x)
-{
-    return (sized){pairs_trimmed(x.v), x.size};
 }
 
 INLINE sized sized_of(vpair v)
@@ -62,11 +65,6 @@ INLINE sized sized_double(double x)
     return sized_of((vpair){v_set(x), v_set(0)});
 }
 
-INLINE sized sized_opposite(sized x)
-{
-    return (sized){opposite(x.v), x.size};
-}
-
 INLINE sized sized_dot(const sized x[3], const sized y[3])
 {
     sized p[3];
@@ -76,77 +74,13 @@ INLINE sized sized_dot(const sized x[3], const sized y[3])
     return (sized){pairs_sum3(v), p[0].size + p[1].size + p[2].size};
 }
 
-INLINE void sized_cross(sized to[3], const double u[3], const double v[3])
+INLINE void sized_cross(sized to[3], const sized u[3], const sized v[3])
 {
     EACH(i, 3) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        const vpair p = v_two_prod(v_set(u[j]), v_set(v[k])),
-                    q = v_two_prod(v_set(u[k]), v_set(v[j]));
-        to[i] = (sized){vpair_sub(p, q), v_abs(p.hi) + v_abs(q.hi)};
+        to[i] = sized_difference(sized_product(u[j], v[k]),
+                                 sized_product(u[k], v[j]));
     }
-}
-
-/* x p + y q */
-INLINE sized sized_sum2(sized x, sized p, sized y, sized q)
-{
-    return sized_sum(sized_product(x, p), sized_product(y, q));
-}
-
-/* A question in pairs; a double cone whose other nappe is nearer is turned about
- * its apex. */
-typedef struct {
-    sized D[3], U[3], V[3], W[3], bent[3]; /* bent: W times k - 1 */
-    sized x, y, z, rho, volume;
-    double unit;    /* 1 / |volume| */
-    double outward; /* the sign of N of the outer side */
-} elliptic_numbers;
-
-ASIDE void load_numbers(elliptic_numbers *m, const cylint_shape *s,
-                        const double point[3])
-{
-    const double *a = cylint_a(s), *b = cylint_b(s), *h = cylint_axis(s);
-    sized A[3];
-    sized_cross(m->U, b, h);
-    sized_cross(m->V, h, a);
-    sized_cross(m->W, a, b);
-    EACH(i, 3) {
-        m->D[i] = sized_of(v_two_sum(point[i], -cylint_base(s)[i]));
-        A[i] = sized_double(a[i]);
-    }
-    m->volume = sized_trimmed(sized_dot(A, m->U));
-    m->unit = 1 / fabs(m->volume.v.hi);
-    m->outward = copysign(1, m->volume.v.hi);
-    m->x = sized_trimmed(sized_dot(m->D, m->U));
-    m->y = sized_trimmed(sized_dot(m->D, m->V));
-    m->z = sized_trimmed(sized_dot(m->D, m->W));
-    const sized k1 = sized_of(v_two_sum(cylint_r1(s), -1));
-    EACH(i, 3)
-        m->bent[i] = sized_product(k1, m->W[i]);
-    m->rho = sized_trimmed(sized_sum(m->volume, sized_product(k1, m->z)));
-}
-
-static inline void turn_numbers_about_apex(elliptic_numbers *m)
-{
-    sized *const turned[3] = {&m->x, &m->y, &m->rho};
-    EACH(i, 3)
-        turned[i]->v = opposite(turned[i]->v);
-    m->outward = -m->outward;
-}
-
-/* CYLINT_NO_FEATURE: also of a shape so small that products underflow.  No prepared
- * shape is too flat for pairs: the volume is at least 2^-29 of its terms. */
-static inline int find_in_pairs(elliptic_question *q, elliptic_numbers *m,
-                                const double point[3])
-{
-    if (find_elliptic_feature(q) == CYLINT_NO_FEATURE)
-        return CYLINT_NO_FEATURE;
-    load_numbers(m, q->shape, point);
-    /* untaken 1 of 2: no known ordinary shape is so small */
-    if (!(fabs(m->volume.v.hi) >= CYLINT_DISTANCE_LEAST))
-        return CYLINT_NO_FEATURE;
-    if (q->is_turned)
-        turn_numbers_about_apex(m);
-    return q->feature;
 }
 
 /* ------------------------------------------------------------- in pairs -- */
@@ -156,10 +90,18 @@ typedef struct {
     sized cos, sin;
 } direction_pair;
 
+/* A normal, not of length 1. */
 typedef struct {
-    sized n, slope_of_n, N[3], slope_of_N[3], q;
-    vpair inverse; /* of the length of N */
-} plane_in_pairs;
+    sized N[3];
+    vpair inverse;        /* of |N| */
+    double square, error; /* N.N; the relative error of |N| */
+} normal_in_pairs;
+
+/* What belongs to an angle.  R: F - f u, of the lateral surface D - u. */
+typedef struct {
+    sized u[3], v[3], du[3], R[3]; /* du: u' */
+    normal_in_pairs normal;
+} ruling_in_pairs;
 
 /* What is written, but for the sign of the distance. */
 typedef struct {
@@ -189,84 +131,116 @@ static inline int turn_direction(direction_pair *e, double by,
     return 1;
 }
 
-/* The tangent plane at an angle. */
-ASIDE void load_plane(plane_in_pairs *t, const elliptic_numbers *m,
-                      const direction_pair *e)
+/* The point from base + share h. */
+static inline void load_pairs_from_axis(sized F[3], const cylint_shape *s,
+                                        const double point[3], sized share)
 {
     EACH(i, 3)
-        t->N[i] = sized_difference(sized_sum2(e->cos, m->U[i], e->sin, m->V[i]),
-                                   m->bent[i]);
-    t->n = sized_difference(sized_sum2(e->cos, m->x, e->sin, m->y), m->rho);
-    t->q = sized_dot(t->N, t->N);
-    pairs_root(t->q.v, &t->inverse);
+        F[i] =
+            sized_difference(sized_of(v_two_sum(point[i], -cylint_base(s)[i])),
+                             sized_times(share, cylint_axis(s)[i]));
 }
 
-/* n' N.N - n N.V, which is 0 at the nearest point.  Writes n' and N', too. */
-ASIDE sized load_slope(plane_in_pairs *t, const elliptic_numbers *m,
-                       const direction_pair *e)
+/* Writes what follows from N. */
+static inline void measure_normal(normal_in_pairs *n)
 {
-    const sized minus = sized_opposite(e->sin);
-    EACH(i, 3)
-        t->slope_of_N[i] = sized_sum2(e->cos, m->V[i], minus, m->U[i]);
-    t->slope_of_n = sized_sum2(e->cos, m->y, minus, m->x);
-    const sized half_q = sized_dot(t->N, t->slope_of_N);
-    return sized_difference(sized_product(t->slope_of_n, t->q),
-                            sized_product(t->n, half_q));
+    const sized square = sized_dot(n->N, n->N);
+    pairs_root(square.v, &n->inverse);
+    n->square = square.v.hi;
+    n->error = CYLINT_SIZED_ERROR * (square.size / square.v.hi + 1);
 }
 
-static inline double at_most(sized x)
+ASIDE void load_ruling_in_pairs(ruling_in_pairs *t, const cylint_shape *s,
+                                const sized F[3], double f,
+                                const direction_pair *e)
 {
-    return fabs(rounded(x.v)) + CYLINT_SIZED_ERROR * x.size;
+    const double *a = cylint_a(s), *b = cylint_b(s), *h = cylint_axis(s);
+    const sized k1 = sized_of(v_two_sum(cylint_r1(s), -1));
+    EACH(i, 3) {
+        t->u[i] =
+            sized_sum(sized_times(e->cos, a[i]), sized_times(e->sin, b[i]));
+        t->du[i] = sized_difference(sized_times(e->cos, b[i]),
+                                    sized_times(e->sin, a[i]));
+        t->v[i] = sized_sum(sized_double(h[i]), sized_product(k1, t->u[i]));
+        t->R[i] = sized_difference(F[i], sized_times(t->u[i], f));
+    }
+    sized_cross(t->normal.N, t->du, t->v);
+    measure_normal(&t->normal);
 }
 
-/* The angle in pairs, and what is uncertain then. */
-static inline void correct_plane(plane_in_pairs *t, direction_pair *e,
-                                 uncertainty *by, const elliptic_numbers *m,
-                                 const elliptic_question *q)
+/* l (elliptic_certainty.h), which is 0 at the nearest point: of the lateral surface
+ * (R.u' v.v - R.v u'.v) / N.N, of a rim R.u' / u'.u'.  *most: at least |l|. */
+ASIDE double turn_of_ruling(const ruling_in_pairs *t, int on_rim, double *most)
 {
-    const double slope = slope_of_height(&q->plane, &q->at);
-    const double cube = m->unit * m->unit * m->unit;
-    const sized before = load_slope(t, m, e);
-    const double sign = copysign(1, m->volume.v.hi);
-    *by = uncertain_angle;
-    if (!turn_direction(e, -sign * rounded(before.v) * cube / slope, q))
-        return;
-    load_plane(t, m, e);
-    const sized after = load_slope(t, m, e);
-    *by = uncertainty_of_plane(q, at_most(after) * cube / q->plane.q);
+    sized turn = sized_dot(t->R, t->du);
+    double unit;
+    if (on_rim) {
+        unit = sized_dot(t->du, t->du).v.hi;
+    } else {
+        turn = sized_difference(
+            sized_product(turn, sized_dot(t->v, t->v)),
+            sized_product(sized_dot(t->R, t->v), sized_dot(t->du, t->v)));
+        unit = t->normal.square;
+    }
+    *most = (fabs(rounded(turn.v)) + CYLINT_SIZED_ERROR * turn.size) / unit;
+    return rounded(turn.v) / unit;
 }
 
-static inline bounded_pairs bounded_by(sized x, double error)
+/* Writes the ruling of the angle, after a step of Newton's iteration if `step` is
+ * not 0, and the uncertainty there.  Returns at least |l|. */
+static inline double find_ruling(ruling_in_pairs *t, direction_pair *e,
+                                 uncertainty *by, const elliptic_question *q,
+                                 const sized F[3], double f, int step)
 {
-    return (bounded_pairs){x.v, CYLINT_SIZED_ERROR * x.size + error};
+    const int on_rim = q->feature != CYLINT_FEATURE_LATERAL;
+    double most;
+    load_ruling_in_pairs(t, q->shape, F, f, e);
+    const double l = turn_of_ruling(t, on_rim, &most) * q->plane.q /
+                     slope_of_height(&q->plane, &q->at);
+    if (step && turn_direction(e, q->is_turned ? l : -l, q)) {
+        load_ruling_in_pairs(t, q->shape, F, f, e);
+        turn_of_ruling(t, on_rim, &most);
+    }
+    *by = uncertainty_of_plane(q, most);
+    return most;
 }
 
-/* The relative error of |N|. */
-static inline double root_error(const sized *q, double turn_of_size)
+/* n / |N| times `sign`.  turned: the relative change of |N|, error: that of the
+ * quotient, by the error of the angle. */
+ASIDE bounded_pairs quotient_by_size(sized n, const normal_in_pairs *by,
+                                     double turned, double error, double sign)
 {
-    return CYLINT_SIZED_ERROR * (q->size / q->v.hi + 1) + turn_of_size;
-}
-
-/* n / |N| times `sign`; relative: the relative error of |N|; error: another. */
-ASIDE bounded_pairs quotient_by_size(sized n, vpair inverse, double relative,
-                                     double error, double sign)
-{
-    const vpair d = vpair_product(n.v, inverse);
+    const vpair d = vpair_product(n.v, by->inverse);
     return (bounded_pairs){{sign * d.hi, sign * d.lo},
-                           CYLINT_SIZED_ERROR * n.size * inverse.hi +
-                               fabs(d.hi) * relative + error};
+                           CYLINT_SIZED_ERROR * n.size * by->inverse.hi +
+                               fabs(d.hi) * (by->error + turned) + error};
 }
 
-/* The unit normal, outward.  turn: the error of the angle, by which N changes as
- * `slope`. */
-static inline void write_unit(bounded_pairs to[3], const sized N[3],
-                              vpair inverse, double relative,
-                              const sized *slope, double turn, double sign)
+/* N / |N| times `sign`.  change: of the components of N, by the error of the
+ * angle. */
+static inline void write_unit(bounded_pairs to[3], const normal_in_pairs *n,
+                              const double change[3], double sign)
 {
+    const double turned = (change[0] + change[1] + change[2]) * n->inverse.hi;
     EACH(i, 3)
-        to[i] = quotient_by_size(N[i], inverse, relative,
-                                 slope ? slope[i].size * turn * inverse.hi : 0,
+        to[i] = quotient_by_size(n->N[i], n, turned, change[i] * n->inverse.hi,
                                  sign);
+}
+
+static const double no_change[3] = {0, 0, 0};
+
+/* The unit normal at an angle with the error `turn`: N changes as h x u. */
+static inline void write_normal(bounded_pairs to[3], const ruling_in_pairs *t,
+                                const cylint_shape *s, double turn, double sign)
+{
+    const double *h = cylint_axis(s);
+    double change[3];
+    EACH(i, 3) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        change[i] =
+            turn * (fabs(h[j]) * t->u[k].size + fabs(h[k]) * t->u[j].size);
+    }
+    write_unit(to, &t->normal, change, sign);
 }
 
 /* x - d n */
@@ -278,6 +252,14 @@ static inline void write_foot(bounded_pairs to[3], const double point[3],
         to[i] = step_along((vpair){point[i], 0}, back, n[i]);
 }
 
+/* from + step; error: that of the step by the angle. */
+static inline bounded_pairs place_beside(vpair from, sized step, double error)
+{
+    return (bounded_pairs){vpair_add(from, step.v),
+                           CYLINT_SIZED_ERROR * step.size +
+                               CYLINT_PAIR_PLACE * fabs(from.hi) + error};
+}
+
 /* A form in triples as a pair: CYLINT_SIZED_ERROR times its size is the error of
  * triples. */
 static inline sized sized_form(triple form, double size)
@@ -286,99 +268,66 @@ static inline sized sized_form(triple form, double size)
                    CYLINT_CLOSE_ERROR / CYLINT_SIZED_ERROR * size};
 }
 
-ASIDE triple dot_of_triples(const triple u[3], const triple v[3])
+/* (D - u).N at an angle whose length triples bring to 1: it is that of the same
+ * tangent plane. */
+ASIDE triple height_in_triples(const cylint_shape *s, const double point[3],
+                               const direction_pair *e)
 {
-    return triple_dot(u, v);
-}
-
-/* D.(u x v) */
-ASIDE triple triple_volume(const triple D[3], const double u[3],
-                           const double v[3])
-{
-    triple x[3];
-    for (int i = 0; i < 3; i++) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        x[i] = triple_sub(triple_of_pair(two_prod(u[j], v[k])),
-                          triple_of_pair(two_prod(u[k], v[j])));
-    }
-    return dot_of_triples(D, x);
-}
-
-/* Numbers of elliptic_numbers in triples. */
-typedef struct {
-    triple place[3]; /* x, y, rho */
-    triple z, volume;
-} elliptic_triples;
-
-ASIDE void load_triples(elliptic_triples *to, const cylint_shape *s,
-                        const double point[3])
-{
-    const double *a = cylint_a(s), *b = cylint_b(s), *h = cylint_axis(s);
-    triple D[3], A[3];
-    load_difference(D, point, cylint_base(s));
-    for (int i = 0; i < 3; i++)
-        A[i] = triple_of(a[i]);
-    to->place[0] = triple_volume(D, b, h);
-    to->place[1] = triple_volume(D, h, a);
-    to->z = triple_volume(D, a, b);
-    to->volume = triple_volume(A, b, h);
     const triple k1 = triple_of_pair(two_diff(cylint_r1(s), 1));
-    to->place[2] = triple_add(to->volume, triple_mul(k1, to->z));
+    direction at = {triple_of_pair(e->cos.v), triple_of_pair(e->sin.v)};
+    triple D[3], a[3], b[3], h[3], N[3];
+    ruling r;
+    normalize(&at);
+    load_difference(D, point, cylint_base(s));
+    EACH(i, 3) {
+        a[i] = triple_of(cylint_a(s)[i]);
+        b[i] = triple_of(cylint_b(s)[i]);
+        h[i] = triple_of(cylint_axis(s)[i]);
+    }
+    load_ruling(&r, a, b, h, k1, &at);
+    EACH(i, 3)
+        D[i] = triple_sub(D[i], r.u[i]);
+    triple_cross(N, r.du, r.v);
+    return triple_dot(D, N);
 }
 
-/* n in triples: cos x + sin y - |e| rho.  |e|, which is 1 in pairs only, is
- * (e.e + 1) / 2 but for less than (e.e - 1)^2.  Returns |e.e - 1|: n / |N| changes
- * by half of that, |N| by half of norm / |N| times that. */
-static inline double refine_height(plane_in_pairs *t,
-                                   const elliptic_question *q,
-                                   const double point[3],
-                                   const direction_pair *e)
+/* F.(a x b) */
+ASIDE triple height_over_end(const cylint_shape *s, const double point[3],
+                             int end)
 {
-    triple of[3] = {{e->cos.v.hi, e->cos.v.lo, 0},
-                    {e->sin.v.hi, e->sin.v.lo, 0},
-                    {1, 0, 0}};
-    elliptic_triples m;
-    load_triples(&m, q->shape, point);
-    of[2] = triple_scale(dot_of_triples(of, of), -0.5);
-    const triple n = dot_of_triples(of, m.place);
-    t->n = sized_form(q->is_turned ? triple_neg(n) : n, t->n.size);
-    return 2 * fabs((of[2].a + 1) + of[2].b);
+    triple F[3], a[3], b[3], W[3];
+    load_difference(F, point, cylint_base(s));
+    EACH(i, 3) {
+        F[i] = triple_sub(F[i], triple_of(end ? cylint_axis(s)[i] : 0));
+        a[i] = triple_of(cylint_a(s)[i]);
+        b[i] = triple_of(cylint_b(s)[i]);
+    }
+    triple_cross(W, a, b);
+    return triple_dot(F, W);
 }
 
-static inline void answer_on_lateral(elliptic_answer *to,
-                                     const elliptic_question *q,
-                                     const elliptic_numbers *m,
-                                     const double point[3], int effort,
-                                     unsigned want)
+/* ------------------------------------------------------------ answers -- */
+
+/* N: a x b */
+static inline void load_normal_of_caps(normal_in_pairs *n,
+                                       const cylint_shape *s)
 {
-    plane_in_pairs t;
-    double by_length = 0, sign = copysign(1, m->volume.v.hi);
-    uncertainty by = q->by;
-    direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
-    load_plane(&t, m, &e);
-    if (effort)
-        correct_plane(&t, &e, &by, m, q);
-    const double ratio = q->at.norm / q->plane.size;
-    if (effort > 1)
-        by_length = ratio * refine_height(&t, q, point, &e);
-    to->distance = quotient_by_size(t.n, t.inverse, root_error(&t.q, by_length),
-                                    by.distance, sign);
-    if (!(want & CYLINT_WANT_GEOMETRY))
-        return;
-    write_unit(to->normal, t.N, t.inverse, root_error(&t.q, ratio * by.turn),
-               t.slope_of_N, by.turn, m->outward);
-    write_foot(to->point, point, to->distance, to->normal);
+    sized a[3], b[3];
+    EACH(i, 3) {
+        a[i] = sized_double(cylint_a(s)[i]);
+        b[i] = sized_double(cylint_b(s)[i]);
+    }
+    sized_cross(n->N, a, b);
+    measure_normal(n);
 }
 
 /* The coordinate that all points of the end's plane share, if there is one. */
-static inline void keep_coordinate(elliptic_answer *to,
-                                   const elliptic_question *q,
-                                   const elliptic_numbers *m, int end)
+static inline void keep_coordinate(elliptic_answer *to, const cylint_shape *s,
+                                   const sized W[3], int end)
 {
-    const cylint_shape *s = q->shape;
     EACH(i, 3) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        if (m->W[j].size == 0 && m->W[k].size == 0)
+        if (W[j].size == 0 && W[k].size == 0)
             to->point[i] = (bounded_pairs){
                 v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0), 0};
     }
@@ -386,28 +335,26 @@ static inline void keep_coordinate(elliptic_answer *to,
 
 static inline void answer_on_cap(elliptic_answer *to,
                                  const elliptic_question *q,
-                                 const elliptic_numbers *m,
                                  const double point[3], int effort,
                                  unsigned want)
 {
+    const cylint_shape *s = q->shape;
     const int end = cylint_feature_end(q->feature);
-    vpair inverse;
-    const sized square = sized_dot(m->W, m->W);
-    sized above = end ? sized_difference(m->z, m->volume) : m->z;
-    pairs_root(square.v, &inverse);
-    const double relative = root_error(&square, 0);
-    const double sign = (m->volume.v.hi < 0) != !end ? -1 : 1;
-    if (effort > 1) {
-        elliptic_triples t;
-        load_triples(&t, q->shape, point);
-        above = sized_form(end ? triple_sub(t.z, t.volume) : t.z, above.size);
-    }
-    to->distance = quotient_by_size(above, inverse, relative, 0, sign);
+    const double sign = cylint_left_handed(s) != !end ? -1 : 1;
+    normal_in_pairs n;
+    sized F[3];
+    load_pairs_from_axis(F, s, point, sized_double(end));
+    load_normal_of_caps(&n, s);
+    sized above = sized_dot(F, n.N);
+    /* mutant '>' -> '>=': slower, where pairs suffice */
+    if (effort > 1)
+        above = sized_form(height_over_end(s, point, end), above.size);
+    to->distance = quotient_by_size(above, &n, 0, 0, sign);
     if (!(want & CYLINT_WANT_GEOMETRY))
         return;
-    write_unit(to->normal, m->W, inverse, relative, NULL, 0, sign);
+    write_unit(to->normal, &n, no_change, sign);
     write_foot(to->point, point, to->distance, to->normal);
-    keep_coordinate(to, q, m, end);
+    keep_coordinate(to, s, n.N, end);
 }
 
 static inline bounded_pairs length_of_pairs(const sized R[3], double error)
@@ -420,122 +367,97 @@ static inline bounded_pairs length_of_pairs(const sized R[3], double error)
 }
 
 /* The apex is at base - h / (k - 1), the top if k is 0. */
-static inline void answer_on_apex(elliptic_answer *to,
-                                  const elliptic_question *q,
-                                  const elliptic_numbers *m)
+static inline void answer_on_apex(elliptic_answer *to, const cylint_shape *s,
+                                  const double point[3])
 {
-    const cylint_shape *s = q->shape;
     const vpair k1 = v_two_sum(cylint_r1(s), -1);
-    const sized by = sized_of(pair_div((pair){-1, 0}, k1));
-    sized F[3], h[3];
-    vpair inverse;
+    const sized share = sized_of(pair_div((pair){-1, 0}, k1));
+    normal_in_pairs n;
+    sized F[3];
+    load_pairs_from_axis(F, s, point, share);
     EACH(i, 3) {
-        const double base = cylint_base(s)[i];
-        h[i] = sized_double(cylint_axis(s)[i]);
-        const sized step = sized_product(by, h[i]);
-        F[i] = sized_difference(m->D[i], step);
-        to->point[i] =
-            bounded_by((sized){vpair_add((vpair){base, 0}, step.v), step.size},
-                       CYLINT_PAIR_PLACE * fabs(base));
+        n.N[i] = sized_double(cylint_axis(s)[i]);
+        to->point[i] = place_beside((vpair){cylint_base(s)[i], 0},
+                                    sized_times(share, cylint_axis(s)[i]), 0);
     }
-    const sized square = sized_dot(h, h);
-    pairs_root(square.v, &inverse);
+    measure_normal(&n);
     to->distance = length_of_pairs(F, 0);
-    write_unit(to->normal, h, inverse, root_error(&square, 0), NULL, 0,
-               cylint_apex_normal_sign(s, 0));
+    write_unit(to->normal, &n, no_change, cylint_apex_normal_sign(s, 0));
 }
 
-/* A rim at an angle: u and v are multiplied by its factor. */
-typedef struct {
-    sized u[3], v[3], R[3], beside; /* beside: R.v */
-    double square;                  /* v.v */
-} rim_in_pairs;
-
-ASIDE void load_rim_in_pairs(rim_in_pairs *r, const cylint_shape *s,
-                             const sized F[3], double f,
-                             const direction_pair *e)
+static inline void answer_on_lateral(elliptic_answer *to,
+                                     const elliptic_question *q,
+                                     const double point[3], int effort,
+                                     unsigned want)
 {
-    const sized factor = sized_double(f), cos = sized_product(factor, e->cos),
-                sin = sized_product(factor, e->sin),
-                minus = sized_opposite(sin);
-    r->square = 0;
-    EACH(i, 3) {
-        const sized a = sized_double(cylint_a(s)[i]),
-                    b = sized_double(cylint_b(s)[i]);
-        r->u[i] = sized_sum2(cos, a, sin, b);
-        r->v[i] = sized_sum2(cos, b, minus, a);
-        r->R[i] = sized_difference(F[i], r->u[i]);
-        r->square += r->v[i].v.hi * r->v[i].v.hi;
-    }
-    r->beside = sized_dot(r->R, r->v);
+    const cylint_shape *s = q->shape;
+    const double outward = cylint_left_handed(s) != q->is_turned ? -1 : 1;
+    direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
+    uncertainty by = q->by;
+    ruling_in_pairs t;
+    sized D[3];
+    load_pairs_from_axis(D, s, point, sized_double(0));
+    if (effort)
+        find_ruling(&t, &e, &by, q, D, 1, effort);
+    else
+        load_ruling_in_pairs(&t, s, D, 1, &e);
+    sized n = sized_dot(t.R, t.normal.N);
+    /* mutant '>' -> '>=': slower, where pairs suffice */
+    if (effort > 1)
+        n = sized_form(height_in_triples(s, point, &e), n.size);
+    to->distance = quotient_by_size(n, &t.normal, 0, by.distance, outward);
+    if (!(want & CYLINT_WANT_GEOMETRY))
+        return;
+    write_normal(to->normal, &t, s, by.turn, outward);
+    write_foot(to->point, point, to->distance, to->normal);
 }
 
 static inline void answer_on_rim(elliptic_answer *to,
                                  const elliptic_question *q,
-                                 const elliptic_numbers *m, int effort,
+                                 const double point[3], int effort,
                                  unsigned want)
 {
     const cylint_shape *s = q->shape;
     const int end = cylint_feature_end(q->feature);
     const double f = cylint_end_factor(s, end);
-    rim_in_pairs r;
-    sized F[3]; /* the point from the centre */
-    uncertainty by = q->by;
     direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
-    EACH(i, 3)
-        F[i] = end ? sized_difference(m->D[i], sized_double(cylint_axis(s)[i]))
-                   : m->D[i];
-    load_rim_in_pairs(&r, s, F, f, &e);
-    if (effort) {
-        const double slope = r.square + rounded(sized_dot(r.R, r.u).v);
-        by = uncertain_angle;
-        /* untaken 1 of 2: every known step is small enough */
-        if (turn_direction(&e, rounded(r.beside.v) / slope, q)) {
-            load_rim_in_pairs(&r, s, F, f, &e);
-            by = uncertainty_of_plane(q, f * at_most(r.beside) / r.square);
-        }
-    }
-    const double beside = at_most(r.beside);
-    to->distance = length_of_pairs(r.R, 2 * by.distance);
-    to->distance.e += beside * beside / (r.square * to->distance.v.hi);
+    uncertainty by;
+    ruling_in_pairs t;
+    sized F[3];
+    load_pairs_from_axis(F, s, point, sized_double(end));
+    const double beside = find_ruling(&t, &e, &by, q, F, f, effort);
+    to->distance = length_of_pairs(t.R, 2 * by.distance);
+    to->distance.e +=
+        beside * beside * sized_dot(t.du, t.du).v.hi / to->distance.v.hi;
     if (!(want & CYLINT_WANT_GEOMETRY))
         return;
-    plane_in_pairs t;
-    load_plane(&t, m, &e);
-    load_slope(&t, m, &e);
-    double ratio = 0;
+    write_normal(to->normal, &t, s, by.turn, cylint_left_handed(s) ? -1 : 1);
     EACH(i, 3) {
         const vpair center =
             v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0);
-        const double error =
-            CYLINT_PAIR_PLACE * fabs(center.hi) + r.v[i].size * by.turn;
-        to->point[i] = bounded_by(
-            (sized){vpair_add(center, r.u[i].v), r.u[i].size}, error);
-        ratio += t.slope_of_N[i].size * t.inverse.hi;
+        to->point[i] = place_beside(center, sized_times(t.u[i], f),
+                                    f * t.du[i].size * by.turn);
     }
-    write_unit(to->normal, t.N, t.inverse, root_error(&t.q, ratio * by.turn),
-               t.slope_of_N, by.turn, m->outward);
 }
 
 static inline void answer_in_pairs(elliptic_answer *to,
                                    const elliptic_question *q,
-                                   const elliptic_numbers *m,
                                    const double point[3], int effort,
                                    unsigned want)
 {
     switch (q->feature) {
-    case CYLINT_FEATURE_LATERAL:
-        answer_on_lateral(to, q, m, point, effort, want);
-        break;
     case CYLINT_FEATURE_CAP0:
     case CYLINT_FEATURE_CAP1:
-        answer_on_cap(to, q, m, point, effort, want);
+        answer_on_cap(to, q, point, effort, want);
         break;
     case CYLINT_FEATURE_APEX:
-        answer_on_apex(to, q, m);
+        answer_on_apex(to, q->shape, point);
+        break;
+    case CYLINT_FEATURE_LATERAL:
+        answer_on_lateral(to, q, point, effort, want);
         break;
     default:
-        answer_on_rim(to, q, m, effort, want);
+        answer_on_rim(to, q, point, effort, want);
     }
 }
 

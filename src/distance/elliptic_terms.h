@@ -219,13 +219,4 @@ static void rim_form(const elliptic_terms *p, const triple from[3],
     f->terms = dot_sizes(from, p->a) + dot_sizes(from, p->b) + square_sizes(f);
 }
 
-/* u and v of a ruling. */
-static void load_ruling(const elliptic_terms *p, const direction *at,
-                        triple u[3], triple v[3])
-{
-    triple_combine(u, p->a, at->cos, p->b, at->sin);
-    for (int i = 0; i < 3; i++)
-        v[i] = triple_add(p->g[i], triple_mul(p->k1, u[i]));
-}
-
 #endif

@@ -142,8 +142,9 @@ enum {
  * Elliptic kinds.
  *
  *   CYLINT_SIZED_ERROR      of a sum of products in pairs (elliptic_pairs.h),
- *                           relative to the sizes of its terms: a term passes fewer
- *                           than 16 operations, with CYLINT_PAIR_PRODUCT each
+ *                           relative to the sizes of its terms: a term passes at
+ *                           most 10 products, with CYLINT_PAIR_PRODUCT each, and
+ *                           sums, whose errors are smaller
  *   CYLINT_NEEDS_TRIPLES    n / rho of the lateral surface for which pairs do not
  *                           suffice: it affects only the speed
  *   CYLINT_CURVATURE_ERROR  of the coefficients of the curvature

@@ -1,5 +1,5 @@
 /*
- * triple.h - sums of three doubles; vectors, quotients and norms of them
+ * triple.h - sums of three doubles; vectors, quotients and norms of them; rulings
  *
  * A triple stands for a + b + c.  Where nothing has cancelled, |b| is at most
  * 2^-53 |a| and |c| at most 2^-104 |a|, or nearly.  The error of an operation is
@@ -149,14 +149,6 @@ static inline void triple_cross(triple to[3], const triple u[3],
     }
 }
 
-/* to = u s + v t */
-static inline void triple_combine(triple to[3], const triple u[3], triple s,
-                                  const triple v[3], triple t)
-{
-    for (int i = 0; i < 3; i++)
-        to[i] = triple_mul2(u[i], s, v[i], t);
-}
-
 static inline double triple_largest(const triple v[3])
 {
     const double x[3] = {v[0].a, v[1].a, v[2].a};
@@ -185,6 +177,41 @@ static inline pair triple_length(const triple v[3])
     const triple square = triple_dot(v, v);
     return square.a > 0 ? pair_sqrt(fast_two_sum(square.a, square.b))
                         : (pair){0, 0};
+}
+
+/* ------------------------------------------ rulings of elliptic shapes -- */
+
+/* cos and sin of an angle; the sum of their squares is 1 to the last place. */
+typedef struct {
+    triple cos, sin;
+} direction;
+
+/* Divides by the length, which is nearly 1. */
+static inline void normalize(direction *d)
+{
+    const triple square = triple_mul2(d->cos, d->cos, d->sin, d->sin);
+    const triple half = triple_scale(triple_sub(square, triple_of(1)), 0.5);
+    d->cos = triple_sub(d->cos, triple_mul(d->cos, half));
+    d->sin = triple_sub(d->sin, triple_mul(d->sin, half));
+}
+
+/* With u = a cos + b sin: u' = b cos - a sin and v = h + k1 u. */
+typedef struct {
+    triple u[3], du[3], v[3]; /* du: u' */
+} ruling;
+
+/* a, b and h: of doubles. */
+static inline void load_ruling(ruling *r, const triple a[3], const triple b[3],
+                               const triple h[3], triple k1,
+                               const direction *at)
+{
+    for (int i = 0; i < 3; i++) {
+        r->u[i] = triple_add(triple_times(at->cos, a[i].a),
+                             triple_times(at->sin, b[i].a));
+        r->du[i] = triple_sub(triple_times(at->cos, b[i].a),
+                              triple_times(at->sin, a[i].a));
+        r->v[i] = triple_add(h[i], triple_mul(k1, r->u[i]));
+    }
 }
 
 #endif

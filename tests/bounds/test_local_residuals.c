@@ -289,28 +289,24 @@ static triple_number triple_dot_of(const triple_number x[3],
         triple_times(x[2], y[2]));
 }
 
-/* D.(U x V) of vectors whose components have these sizes; D of pairs, the others of
- * doubles. */
-static triple_number volume_of(double D, double U, double V)
-{
-    const triple_number product = {U * V, 0, 0}, d = {D, 0, 0};
-    const triple_number cross = triple_plus(product, product);
-    return triple_dot_of((triple_number[]){d, d, d},
-                         (triple_number[]){cross, cross, cross});
-}
-
 /* The height over a tangent plane (elliptic_pairs.h), of shapes of the size 1, k -
- * 1 and the size of D from it. */
+ * 1 and the size of D from it.  cos and sin are divided by their length, which is
+ * nearly 1. */
 static void elliptic_height(double D, double k1)
 {
-    const triple_number one = {1, 0, 0}, k = {k1, 0, 0};
-    const triple_number unit[3] = {one, one, one};
-    triple_number of[3] = {one, one, triple_dot_of(unit, unit)};
-    of[2].size = 1; /* half of 2, whose terms are 1 in all and 1 */
-    const triple_number x = volume_of(D, 1, 1);
-    const triple_number rho =
-        triple_plus(volume_of(1, 1, 1), triple_times(k, x));
-    const triple_number n = triple_dot_of(of, (triple_number[]){x, x, rho});
+    const triple_number one = {1, 0, 0}, k = {k1, 0, 0}, from = {D, 0, 0};
+    const triple_number square = triple_times(one, one);
+    const triple_number excess = triple_plus(triple_plus(square, square), one);
+    const triple_number cos =
+        triple_plus(one, (triple_number){0, 0, excess.off / 2});
+    const triple_number turned = triple_times(one, cos);
+    const triple_number u = triple_plus(turned, turned);
+    const triple_number v = triple_plus(one, triple_times(k, u));
+    const triple_number product = triple_times(u, v);
+    const triple_number N = triple_plus(product, product);
+    const triple_number E = triple_plus(from, u);
+    const triple_number n =
+        triple_dot_of((triple_number[]){E, E, E}, (triple_number[]){N, N, N});
     need(n.off, n.size);
 }
 
