@@ -102,9 +102,10 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * Elliptic kinds: the sign is exact, and the distance is 0 if and only if the point
  * is on the surface.  In rounding to nearest the answers are proved to be as for
  * circular kinds at nearly all points of ordinary shapes; elsewhere their errors
- * are measured.  For extreme shapes only the sign is right, and components of point
- * and normal can be NaN.  cylint_distance(3), section Elliptic kinds, states which
- * points and shapes these are, the measured errors, and how long an answer takes.
+ * are measured.  For extreme shapes only the sign is right: the distance can be
+ * infinite, and components of point and normal can be NaN.  cylint_distance(3),
+ * section Elliptic kinds, states which points and shapes these are, the measured
+ * errors, and how long an answer takes.
  */
 CYLINT_API double cylint_distance(const cylint_shape *shape,
                                   const double point[3], unsigned want,

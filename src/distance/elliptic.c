@@ -249,10 +249,13 @@ static void try_cap(search *s, int end)
 
 /* --------------------------------------------------- distance and normal -- */
 
+/* |v|.  Where terms have cancelled, v[i].a can be 0 though v[i] is not. */
 static pair length_of(const triple v[3])
 {
-    triple unit[3];
-    const double scale = triple_unit(unit, v);
+    triple sum[3], unit[3];
+    for (int i = 0; i < 3; i++)
+        sum[i] = triple_of_pair(pair_of_triple(v[i]));
+    const double scale = triple_unit(unit, sum);
     const pair norm = triple_length(unit);
     return (pair){norm.hi / scale, norm.lo / scale};
 }
@@ -289,7 +292,7 @@ static void load_normal(search *s)
 }
 
 /* Normal and distance of the best candidate.  Where exponents differ by more than
- * 900, products underflow: a normal that vanished is replaced by a. */
+ * 900, products underflow: a normal that vanished is replaced by a, b or h. */
 static void measure_best(search *s)
 {
     if (s->best.feature == CYLINT_NO_FEATURE)
@@ -302,7 +305,9 @@ static void measure_best(search *s)
                       ? length_of(s->best.R)
                       : height_over(s->best.R, s->N);
     if (vanished)
-        triple_unit(s->N, sizes(s->p.a) > 0 ? s->p.a : s->p.h);
+        triple_unit(s->N, sizes(s->p.a) > 0   ? s->p.a
+                          : sizes(s->p.b) > 0 ? s->p.b
+                                              : s->p.h);
 }
 
 /* Whether there is a point of a cap or of the lateral surface from which the
@@ -484,7 +489,10 @@ double cylint_elliptic_distance(const cylint_shape *shape,
     if (is_on)
         return answer->distance = 0;
     const double d = cylint_scaled(s.distance.hi, s.p.e + s.p.far);
-    const double size = cylint_sign(d) == 0 ? 0x1p-1074 : d;
+    /* of an extreme shape the sign is right */
+    const double size = isnan(d)              ? HUGE_VAL
+                        : cylint_sign(d) == 0 ? 0x1p-1074
+                                              : d;
     return answer->distance =
                side > 0 && cylint_surface_is_whole(shape->ends) ? -size : size;
 }
