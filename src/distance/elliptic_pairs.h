@@ -229,18 +229,16 @@ static inline void write_unit(bounded_pairs to[3], const normal_in_pairs *n,
 
 static const double no_change[3] = {0, 0, 0};
 
-/* The unit normal at an angle with the error `turn`: N changes as h x u. */
-static inline void write_normal(bounded_pairs to[3], const ruling_in_pairs *t,
-                                const cylint_shape *s, double turn, double sign)
+/* By how much N changes at most by a small turn: N' = h x u. */
+static inline void change_of_normal(double change[3], const ruling_in_pairs *t,
+                                    const cylint_shape *s, double turn)
 {
     const double *h = cylint_axis(s);
-    double change[3];
     EACH(i, 3) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         change[i] =
             turn * (fabs(h[j]) * t->u[k].size + fabs(h[k]) * t->u[j].size);
     }
-    write_unit(to, &t->normal, change, sign);
 }
 
 /* x - d n */
@@ -396,6 +394,7 @@ static inline void answer_on_lateral(elliptic_answer *to,
     uncertainty by = q->by;
     ruling_in_pairs t;
     sized D[3];
+    double change[3];
     load_pairs_from_axis(D, s, point, sized_double(0));
     if (effort)
         find_ruling(&t, &e, &by, q, D, 1, effort);
@@ -408,7 +407,8 @@ static inline void answer_on_lateral(elliptic_answer *to,
     to->distance = quotient_by_size(n, &t.normal, 0, by.distance, outward);
     if (!(want & CYLINT_WANT_GEOMETRY))
         return;
-    write_normal(to->normal, &t, s, by.turn, outward);
+    change_of_normal(change, &t, s, by.turn);
+    write_unit(to->normal, &t.normal, change, outward);
     write_foot(to->point, point, to->distance, to->normal);
 }
 
@@ -424,6 +424,7 @@ static inline void answer_on_rim(elliptic_answer *to,
     uncertainty by;
     ruling_in_pairs t;
     sized F[3];
+    double change[3];
     load_pairs_from_axis(F, s, point, sized_double(end));
     const double beside = find_ruling(&t, &e, &by, q, F, f, effort);
     to->distance = length_of_pairs(t.R, 2 * by.distance);
@@ -431,7 +432,8 @@ static inline void answer_on_rim(elliptic_answer *to,
         beside * beside * sized_dot(t.du, t.du).v.hi / to->distance.v.hi;
     if (!(want & CYLINT_WANT_GEOMETRY))
         return;
-    write_normal(to->normal, &t, s, by.turn, cylint_left_handed(s) ? -1 : 1);
+    change_of_normal(change, &t, s, by.turn);
+    write_unit(to->normal, &t.normal, change, cylint_left_handed(s) ? -1 : 1);
     EACH(i, 3) {
         const vpair center =
             v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0);

@@ -231,6 +231,27 @@ static void check_place(const struct determinants *t, const elliptic_place *p)
         is_below(off_by(p->z, t->z, t->volume), p->z_error, &most_in_doubles));
 }
 
+/* The normal changes by a turn of 2^-20 by no more than the mean of the bounds
+ * before and after, but for terms of second order. */
+static void check_turned_normal(const cylint_shape *s, const sized D[3],
+                                const ruling_in_pairs *before, double angle)
+{
+    const double turn = 0x1p-20;
+    double least[3], most[3];
+    ruling_in_pairs after;
+    const direction_pair at = direction_of((vpair){cos(angle + turn), 0},
+                                           (vpair){sin(angle + turn), 0});
+    load_ruling_in_pairs(&after, s, D, 1, &at);
+    change_of_normal(least, before, s, turn);
+    change_of_normal(most, &after, s, turn);
+    for (int i = 0; i < 3; i++) {
+        const sized off =
+            sized_difference(after.normal.N[i], before->normal.N[i]);
+        CHECK(fabs(rounded(off.v)) <=
+              0.5001 * (least[i] + most[i]) + CYLINT_SIZED_ERROR * off.size);
+    }
+}
+
 static void check_elliptic(const struct family_case *c, const double point[3])
 {
     const cylint_shape *s = &c->shape;
@@ -250,6 +271,7 @@ static void check_elliptic(const struct family_case *c, const double point[3])
     load_ruling_in_pairs(&in_pairs, s, D, 1, &at);
     CHECK(is_exact(sized_dot(in_pairs.R, in_pairs.normal.N),
                    height_in_triples(s, point, &at), height_of(&t, &at)));
+    check_turned_normal(s, D, &in_pairs, turn);
     load_normal_of_caps(&of_caps, s);
     for (int end = 0; end < 2; end++) {
         load_pairs_from_axis(D, s, point, sized_double(end));
