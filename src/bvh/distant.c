@@ -142,3 +142,28 @@ size_t cylint_list_near(const cylint_view *view, size_t n,
     }
     return near;
 }
+
+cylint_bvh_status cylint_bvh_build_near(cylint_bvh *bvh,
+                                        const cylint_bvh_input *input,
+                                        uint32_t *number, size_t *refused)
+{
+    cylint_bvh_status status = cylint_bvh_build(bvh, input, refused);
+    const cylint_extent all = bvh->box;
+    cylint_shapes_box inner, box = {.n = input->n};
+    cylint_bvh_input near = *input;
+    for (int j = 0; j < 3; j++) {
+        box.lo[j] = (double)all.lower[j];
+        box.hi[j] = (double)all.upper[j];
+    }
+    if (status != CYLINT_BVH_OK ||
+        cylint_choose_box(&inner, input->view, input->n, &box))
+        return status;
+    near.numbers = number;
+    near.n = cylint_list_near(input->view, input->n, &inner, input->watch,
+                              number, &box);
+    cylint_bvh_free(bvh);
+    status = near.n == SIZE_MAX ? CYLINT_BVH_ESTOPPED
+                                : cylint_bvh_build(bvh, &near, refused);
+    bvh->box = all;
+    return status;
+}

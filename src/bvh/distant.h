@@ -9,8 +9,7 @@
 
 #include <stddef.h>
 
-#include "swept_disc.h"
-#include "watch.h"
+#include "bvh.h"
 
 /* Shapes with larger coordinates are in no box, so that nothing overflows. */
 #define CYLINT_BOX_MOST 0x1p400
@@ -41,5 +40,12 @@ int cylint_choose_box(cylint_shapes_box *inner, const cylint_view *view,
 size_t cylint_list_near(const cylint_view *view, size_t n,
                         const cylint_shapes_box *inner, cylint_watch *watch,
                         uint32_t *number, cylint_shapes_box *box);
+
+/* Builds a hierarchy of all shapes of the input and, if a few are distant, again
+ * without them: its box is that of all.  number: memory for input->n numbers.
+ * Returns what cylint_bvh_build() returns. */
+cylint_bvh_status cylint_bvh_build_near(cylint_bvh *bvh,
+                                        const cylint_bvh_input *input,
+                                        uint32_t *number, size_t *refused);
 
 #endif

@@ -154,19 +154,6 @@ static int check_shapes(cylint_embree_data *data,
     return CYLINT_EMBREE_OK;
 }
 
-static int build_bvh(cylint_embree_data *data, const cylint_bvh_input *input,
-                     cylint_embree_problem *problem)
-{
-    size_t shape = 0;
-    const cylint_bvh_status status =
-        cylint_bvh_build(&data->bvh, input, &shape);
-    return report(problem,
-                  status == CYLINT_BVH_OK       ? CYLINT_EMBREE_OK
-                  : status == CYLINT_BVH_ESHAPE ? CYLINT_EMBREE_ESHAPE
-                                                : CYLINT_EMBREE_EMEMORY,
-                  shape);
-}
-
 /* Ranks the shapes in the order in which leaves first name them: so records of
  * shapes that are together in leaves are together in memory. */
 static void rank_by_leaves(cylint_embree_data *data)
@@ -182,34 +169,24 @@ static void rank_by_leaves(cylint_embree_data *data)
     data->array = array;
 }
 
-/* Builds the hierarchy of all shapes, or again of all but a few. */
-static int build_near(cylint_embree_data *data, cylint_bvh_input from,
-                      cylint_embree_problem *problem)
+static int build_bvh(cylint_embree_data *data, const cylint_bvh_input *input,
+                     cylint_embree_problem *problem)
 {
     const size_t bytes = data->n * sizeof(uint32_t);
-    int status = build_bvh(data, &from, problem);
-    const cylint_extent all = data->bvh.box;
-    cylint_shapes_box inner, box = {.n = data->n};
-    if (status != CYLINT_EMBREE_OK || data->n == 0)
-        return status;
-    if (!cylint_memory_allocate(&data->order_memory, &data->source,
+    size_t shape = 0;
+    if (data->n > 0 &&
+        !cylint_memory_allocate(&data->order_memory, &data->source,
                                 data->is_merged ? 3 * bytes : 2 * bytes))
         return report(problem, CYLINT_EMBREE_EMEMORY, 0);
-    EACH(j, 3) {
-        box.lo[j] = (double)all.lower[j];
-        box.hi[j] = (double)all.upper[j];
-    }
-    if (!cylint_choose_box(&inner, from.view, data->n, &box)) {
-        from.numbers = data->order_memory.data;
-        from.n = cylint_list_near(from.view, data->n, &inner, NULL,
-                                  data->order_memory.data, &box);
-        cylint_bvh_free(&data->bvh);
-        status = build_bvh(data, &from, problem);
-        data->bvh.box = all;
-    }
-    if (status == CYLINT_EMBREE_OK)
+    const cylint_bvh_status status = cylint_bvh_build_near(
+        &data->bvh, input, data->order_memory.data, &shape);
+    if (status == CYLINT_BVH_OK && data->n > 0)
         rank_by_leaves(data);
-    return status;
+    return report(problem,
+                  status == CYLINT_BVH_OK       ? CYLINT_EMBREE_OK
+                  : status == CYLINT_BVH_ESHAPE ? CYLINT_EMBREE_ESHAPE
+                                                : CYLINT_EMBREE_EMEMORY,
+                  shape);
 }
 
 /* Frees what was computed from the shapes. */
@@ -235,7 +212,7 @@ static int compute_state(cylint_embree_data *data,
                              .source = &data->source};
     int status = check_arrays(data, problem);
     if (status == CYLINT_EMBREE_OK)
-        status = data->traversal ? build_near(data, from, problem)
+        status = data->traversal ? build_bvh(data, &from, problem)
                                  : check_shapes(data, problem);
     if (status != CYLINT_EMBREE_OK || data->n == 0)
         return status;
