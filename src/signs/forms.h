@@ -42,6 +42,10 @@ typedef struct {
     double v, size;
 } bounded_double;
 
+static inline bounded_double bounded_of(double x)
+{
+    return (bounded_double){x, fabs(x)};
+}
 static inline bounded_double bounded_add(bounded_double x, bounded_double y)
 {
     return (bounded_double){x.v + y.v, x.size + y.size};
@@ -61,6 +65,9 @@ static inline bounded_double bounded_mul(bounded_double x, bounded_double y)
 #define ADD(x, y) bounded_add(x, y)
 #define SUB(x, y) bounded_sub(x, y)
 #define MUL(x, y) bounded_mul(x, y)
+#define DATUM(x) bounded_of(x)
+#define DIFFERENCE(x, y) bounded_of((x) - (y))
+#define DIRECTION(l, i) bounded_of(l->d[i])
 #include "forms_template.h"
 
 /*
@@ -103,6 +110,7 @@ static inline bounded_pair bounded_pair_of(double hi, double lo)
 {
     return (bounded_pair){{hi, lo}, 0};
 }
+
 static inline bounded_pair bounded_pair_difference(double x, double y)
 {
     return (bounded_pair){two_diff(x, y), 0};

@@ -10,6 +10,10 @@
  *   NUM                     the type of a number
  *   FORM(name)              how the functions of this arithmetic are called
  *   ADD SUB MUL (x, y)      its operations
+ *   [DATUM(x), DIFFERENCE(x, y), DIRECTION(l, i)]
+ *                           a datum, the difference of two, and component i of
+ *                           a line's direction; without them the terms are not
+ *                           filled here
  *   [MEMORY]                a declaration in the terms, if it needs room
  *   [BEGIN, RETURN(x)]      first and last words of a form, if intermediate
  *                           results must be freed
@@ -101,7 +105,7 @@
 typedef struct {
     MEMORY
     int kind;
-    NUM u[3], w[3], D[2][3], r[2], dr; /* the caller fills these, */
+    NUM u[3], w[3], D[2][3], r[2], dr; /* the data: fill() */
     NUM a[3], b[3], one;               /* a, b for elliptic kinds; one = 1 */
     NUM vv, n[3];                      /* circular */
     NUM e[3], p[3], q[3], det, U, V;   /* elliptic */
@@ -111,6 +115,8 @@ typedef struct {
 #endif
 
 #ifdef FORMS_DECLARED
+INLINE void FORM(fill)(FORM(terms) *L, const cylint_shape *s,
+                       const cylint_line *l, int kind);
 INLINE void FORM(prepare)(FORM(terms) *L, cylint_form f, int end);
 INLINE NUM FORM(form)(const FORM(terms) *L, cylint_form f, int end);
 #ifdef FORMS_OF_HITS
@@ -123,6 +129,35 @@ INLINE void FORM(gradient)(const FORM(terms) *L, NUM N[3]);
 INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y);
 #endif
 #else
+#ifdef DATUM
+/* Sets the terms that are data or differences of data. */
+INLINE void FORM(fill)(FORM(terms) *L, const cylint_shape *s,
+                       const cylint_line *l, int kind)
+{
+    L->kind = kind;
+    EACH(i, 3) {
+        L->u[i] = DIRECTION(l, i);
+        L->D[0][i] = DIFFERENCE(l->o[i], cylint_base(s)[i]);
+        if (cylint_has_end_points(kind)) {
+            L->w[i] = DIFFERENCE(cylint_top(s)[i], cylint_base(s)[i]);
+            L->D[1][i] = DIFFERENCE(l->o[i], cylint_top(s)[i]);
+        } else {
+            L->w[i] = DATUM(cylint_axis(s)[i]);
+            L->D[1][i] = SUB(L->D[0][i], L->w[i]);
+        }
+        if (cylint_is_elliptic(kind)) {
+            const double b = cylint_b(s)[i];
+            L->a[i] = DATUM(cylint_a(s)[i]);
+            L->b[i] = DATUM(cylint_left_handed(s) ? -b : b);
+        }
+    }
+    L->r[0] = DATUM(cylint_r0(s));
+    L->r[1] = DATUM(cylint_r1(s));
+    L->dr = DIFFERENCE(cylint_r1(s), cylint_r0(s));
+    L->one = DATUM(1);
+}
+#endif
+
 INLINE NUM FORM(dot)(const FORM(terms) *L, const NUM x[3], const NUM y[3])
 {
     BEGIN
@@ -178,8 +213,8 @@ INLINE void FORM(prepare_shape)(FORM(terms) *L)
     }
 }
 
-/* Computes the terms that form f of this end takes, each part once.  The caller
- * sets the data, and `ready` to 0.  Part 3 is the moment about the top. */
+/* Computes the terms that form f of this end takes, each part once.  Before, the
+ * data are filled, and `ready` is 0.  Part 3 is the moment about the top. */
 INLINE void FORM(prepare)(FORM(terms) *L, cylint_form f, int end)
 {
     const int parts = f < FORM_E ? 1 : end ? 3 : 2;
@@ -574,6 +609,9 @@ INLINE void FORM(about_axis)(const FORM(terms) *L, int number, NUM *x, NUM *y)
 #undef ADD
 #undef SUB
 #undef MUL
+#undef DATUM
+#undef DIFFERENCE
+#undef DIRECTION
 #undef MEMORY
 #undef BEGIN
 #undef RETURN

@@ -15,18 +15,6 @@ unsigned long long cylint_stages[CYLINT_STAGES];
 
 /* -------------------------------------------------------- terms ------ */
 
-static bounded_double bounded_of(double x)
-{
-    return (bounded_double){x, fabs(x)};
-}
-
-#define FORM(name) name##_bounded
-#define DATUM(x) bounded_of(x)
-#define DIFFERENCE(x, y) bounded_of((x) - (y))
-#define DIRECTION(l, i) bounded_of(l->d[i])
-#define BEFORE_TOP(D, w) bounded_sub(D, w)
-#include "load_template.h"
-
 /* The terms that the form takes, here and below. */
 static terms_bounded *load_bounded(cylint_query *q, cylint_form f, int end)
 {
@@ -36,9 +24,6 @@ static terms_bounded *load_bounded(cylint_query *q, cylint_form f, int end)
     prepare_bounded(L, f, end);
     return L;
 }
-
-#define FORM(name) cylint_##name##_pair
-#include "load_template.h"
 
 cylint_terms_pair *cylint_load_pairs(cylint_query *q, cylint_form f, int end)
 {
@@ -51,15 +36,6 @@ cylint_terms_pair *cylint_load_pairs(cylint_query *q, cylint_form f, int end)
     cylint_prepare_pair(L, f, end);
     return L;
 }
-
-/* Differences of data, not the nearest doubles to them. */
-#define FORM(name) cylint_##name##_exact
-#define DATUM(x) cylint_exact_from(L->arena, x)
-#define DIFFERENCE(x, y) cylint_exact_difference(L->arena, x, y)
-#define DIRECTION(l, i) \
-    (l->segment ? DIFFERENCE(l->end[i], l->o[i]) : DATUM(l->d[i]))
-#define BEFORE_TOP(D, w) cylint_exact_sub(L->arena, D, w)
-#include "load_template.h"
 
 const cylint_terms_exact *cylint_load_exact(cylint_query *q, cylint_form f,
                                             int end)
