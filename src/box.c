@@ -92,8 +92,7 @@ ASIDE double exact_side_of_end(const cylint_shape *s, int end, int j,
     cylint_open_at(&q, s, &line, cylint_base(s));
     const cylint_terms_exact *L = cylint_load_exact(&q, FORM_ALPHA, 0);
     cylint_arena *m = &q.arena;
-    const exact middle = cylint_exact_add(m, cylint_exact_from(m, center),
-                                          cylint_exact_from(m, offset));
+    const exact middle = cylint_exact_of_sum(m, center, offset);
     const exact by = !cylint_is_round(s->kind) && cylint_has_end_points(s->kind)
                          ? L->vv
                          : L->one;

@@ -298,11 +298,9 @@
 #define CYLINT_TURN_RELATIVE 0x1p-96
 #define CYLINT_TURN_NODE 0x1.52p-97
 
-/* The relative errors of cylint_turn_pair() in rounding to nearest and in the
- * directed modes: sums of those of its operations
- * (tests/bounds/prove/ratios.txt). */
-#define CYLINT_TURN_PAIR_ERROR 0x1p-97
-#define CYLINT_TURN_DIRECTED_ERROR 0x1p-94
+/* The relative error of an angle from exact numbers (roots/hit.c): of the pairs of a
+ * node, of the inverse and of 1 / (2 pi). */
+#define CYLINT_ANGLE_ERROR 0x1p-100
 
 /*
  * Members of a hit (filter/members.h).  CYLINT_MEMBER_COORDINATE: the error of a

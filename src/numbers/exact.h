@@ -115,13 +115,16 @@ static inline exact cylint_exact_of_rank(cylint_arena *arena, int64_t rank)
  * every floating-point environment.  Exported for libcylint-scene. */
 CYLINT_API double cylint_exact_nearest(exact x, int e);
 
+static inline exact cylint_exact_of_sum(cylint_arena *arena, double x, double y)
+{
+    return cylint_exact_add(arena, cylint_exact_from(arena, x),
+                            cylint_exact_from(arena, y));
+}
+
 /* The same of (hi + lo) 2^e. */
 static inline double cylint_nearest_of_pair(cylint_arena *arena, pair x, int e)
 {
-    return cylint_exact_nearest(
-        cylint_exact_add(arena, cylint_exact_from(arena, x.hi),
-                         cylint_exact_from(arena, x.lo)),
-        e);
+    return cylint_exact_nearest(cylint_exact_of_sum(arena, x.hi, x.lo), e);
 }
 
 /* The same, but hi 2^e for a number that is neither subnormal, which the processor

@@ -1,7 +1,6 @@
 /*
- * turns.c - the nodes, and the angle of a point in pairs
+ * turns.c - the nodes of angles in turns
  */
-#include "bits.h"
 #include "turns.h"
 
 /* tests/numbers/test_turns.c computes these numbers again. */
@@ -72,61 +71,3 @@ const double cylint_turn_node[33][4] = {
     {0x1.6a09e667f3bcdp-1, -0x1.bdd3413b26456p-55, 0x1.6a09e667f3bcdp-1,
      -0x1.bdd3413b26456p-55},
 };
-
-/* x, rounded to 26 digits; x minus that has 26. */
-static double head(double x)
-{
-    return cylint_from_bits((cylint_bits(x) + 0x4000000) &
-                            ~(uint64_t)0x7ffffff);
-}
-
-/* pair_mul() with the same bits in every build: Dekker's halves from the bits
- * of numbers, so that his sum is exact in each rounding mode. */
-static pair product(pair a, pair b)
-{
-    const double p = a.hi * b.hi;
-    const double ah = head(a.hi), al = a.hi - ah;
-    const double bh = head(b.hi), bl = b.hi - bh;
-    const double low = ((ah * bh - p) + ah * bl + al * bh) + al * bl;
-    return fast_two_sum(p, low + (a.hi * b.lo + a.lo * b.hi));
-}
-
-/* Its error is less than that of two products and two sums. */
-static pair quotient(pair a, pair b)
-{
-    const double q = a.hi / b.hi;
-    const pair remainder = pair_sub(a, product((pair){q, 0}, b));
-    return fast_two_sum(q, remainder.hi / b.hi);
-}
-
-/* atan(q) / q = 1 - q^2 / 3 + q^4 / 5 - ...; the first term that is left out is
- * below 2^-111. */
-static pair atan_over(pair q)
-{
-    const pair square = product(q, q), one = {1, 0};
-    pair sum = {0, 0};
-    for (int n = 17; n > 0; n -= 2)
-        sum = pair_sub(quotient(one, (pair){n, 0}), product(square, sum));
-    return sum;
-}
-
-pair cylint_turn_pair(pair x, pair y)
-{
-    const int left = x.hi < 0, below = y.hi < 0;
-    const pair across = left ? pair_neg(x) : x, up = below ? pair_neg(y) : y;
-    const int steep = across.hi < up.hi;
-    const pair u = steep ? up : across, v = steep ? across : up;
-    const double r = v.hi / u.hi;
-    const int k =
-        (int)(256 * r * (CYLINT_TURN_SLOPE - CYLINT_TURN_CURVE * r) + 0.5);
-    const double *node = cylint_turn_node[k];
-    const pair cosine = {node[0], node[1]}, sine = {node[2], node[3]};
-    const pair q = quotient(pair_sub(product(v, cosine), product(u, sine)),
-                            pair_add(product(u, cosine), product(v, sine)));
-    const pair per_radian = {CYLINT_TURN_PER_RADIAN, CYLINT_TURN_PER_RADIAN_LO};
-    const pair beyond = product(product(q, atan_over(q)), per_radian);
-    const int back = steep ^ left ^ below; /* the octant is run backwards */
-    const double axis = steep ? (below ? 0.75 : 0.25) : left ? 0.5 : below;
-    const double turn = axis + (back ? -k : k) * 0x1p-8;
-    return pair_add((pair){turn, 0}, back ? pair_neg(beyond) : beyond);
-}

@@ -14,7 +14,6 @@
 #define CYLINT_NUMBERS_TURNS_H
 
 #include "compiler.h"
-#include "double_double.h"
 
 /* Of each node the cosine, hi and lo, and the sine, hi and lo. */
 extern const double cylint_turn_node[33][4] CYLINT_HIDDEN;
@@ -28,15 +27,5 @@ extern const double cylint_turn_node[33][4] CYLINT_HIDDEN;
 /* 1 / (2 pi) as a pair. */
 #define CYLINT_TURN_PER_RADIAN 0x1.45f306dc9c883p-3
 #define CYLINT_TURN_PER_RADIAN_LO -0x1.6b01ec5417056p-57
-
-/*
- * The angle of (x, y), counted from the x axis towards the y axis, in [0, 1]: a
- * little below the positive x axis hi is 1 and lo is negative.  The larger of |x|
- * and |y| is in [2^-32, 4].  If the other is 0 or at least 2^-200, the error is at
- * most CYLINT_TURN_PAIR_ERROR of the result, in directed rounding modes
- * CYLINT_TURN_DIRECTED_ERROR of it (error_bounds.h).  Else it is that, or less than
- * 2^-160.
- */
-pair cylint_turn_pair(pair x, pair y);
 
 #endif

@@ -32,38 +32,56 @@ static void write_unit_vector(cylint_arena *arena, const exact x[3],
 
 /* ------------------------------------------------------------ angles --- */
 
-/* phi is in [0, 1). */
-static double below_one(double turns)
+/* atan(q) / (2 pi), leading digits: q - q^3 / 3 + q^5 / 5 - ..., times the common
+ * multiple of the divisors; the first term left out is below 2^-111 of q. */
+static exact angle_of_tangent(cylint_arena *arena, exact q)
 {
-    return turns < 1 ? turns : 1 - CYLINT_NEAREST_ROUNDING;
+    enum { MULTIPLE = 5 * 7 * 9 * 11 * 13 * 17 };
+    const exact square = cylint_leading(cylint_exact_mul(arena, q, q));
+    const exact per_turn = cylint_exact_of_sum(arena, CYLINT_TURN_PER_RADIAN,
+                                               CYLINT_TURN_PER_RADIAN_LO);
+    const exact scale =
+        cylint_inverse(arena, cylint_exact_from(arena, MULTIPLE));
+    const int used = arena->used;
+    exact sum = cylint_exact_zero(arena);
+    for (int n = 17; n > 0; n -= 2) {
+        sum = cylint_exact_sub(arena, cylint_exact_from(arena, MULTIPLE / n),
+                               cylint_exact_mul(arena, square, sum));
+        sum = cylint_exact_keep(arena, used, cylint_leading(sum));
+    }
+    return cylint_exact_mul(arena, cylint_exact_mul(arena, q, sum),
+                            cylint_exact_mul(arena, scale, per_turn));
 }
 
-/* The angle of (x, y) in turns.  Next to 0, where |y| is less than x 2^-60, it is
- * y / (2 pi x): the next term of the series is less than 2^-121 of that. */
-static double angle_of(cylint_arena *arena, exact x, exact y)
+exact cylint_angle(cylint_arena *arena, exact x, exact y)
 {
-    if (y.sign == 0)
-        return x.sign < 0 ? 0.5 : 0;
-    if (x.sign == 0)
-        return y.sign < 0 ? 0.75 : 0.25;
-    /* the larger one below 1, and 2^-32 or more */
-    const int x_top = cylint_top_of(x), y_top = cylint_top_of(y),
-              top = x_top > y_top ? x_top : y_top;
-    x.exponent -= top;
-    y.exponent -= top;
-    const pair X = cylint_exact_round(arena, x),
-               Y = cylint_exact_round(arena, y);
-    if (fabs(Y.hi) < X.hi * 0x1p-60) {
-        const exact per_turn = cylint_exact_add(
-            arena, cylint_exact_from(arena, CYLINT_TURN_PER_RADIAN),
-            cylint_exact_from(arena, CYLINT_TURN_PER_RADIAN_LO));
-        const exact slope =
-            cylint_exact_mul(arena, y, cylint_inverse(arena, x));
-        return y.sign < 0 ? below_one(1)
-                          : cylint_exact_nearest(
-                                cylint_exact_mul(arena, slope, per_turn), 0);
-    }
-    return below_one(cylint_nearest_of_pair(arena, cylint_turn_pair(X, Y), 0));
+    const int left = x.sign < 0, below = y.sign < 0;
+    const exact across = cylint_exact_signed(x, x.sign != 0),
+                up = cylint_exact_signed(y, y.sign != 0);
+    const int steep = cylint_exact_sub(arena, across, up).sign < 0;
+    const exact u = steep ? up : across, v = steep ? across : up;
+    const double r = cylint_exact_nearest(
+        cylint_exact_mul(arena, v, cylint_inverse(arena, u)), 0);
+    const int k =
+        (int)(256 * r * (CYLINT_TURN_SLOPE - CYLINT_TURN_CURVE * r) + 0.5);
+    const double *node = cylint_turn_node[k];
+    const exact cosine = cylint_exact_of_sum(arena, node[0], node[1]),
+                sine = cylint_exact_of_sum(arena, node[2], node[3]);
+    const exact num =
+        cylint_exact_sub(arena, cylint_exact_mul(arena, v, cosine),
+                         cylint_exact_mul(arena, u, sine));
+    const exact den =
+        cylint_exact_add(arena, cylint_exact_mul(arena, u, cosine),
+                         cylint_exact_mul(arena, v, sine));
+    const exact q = cylint_leading(
+        cylint_exact_mul(arena, num, cylint_inverse(arena, den)));
+    const exact beyond = angle_of_tangent(arena, q);
+    const int back = steep ^ left ^ below; /* the octant is run backwards */
+    const double axis = steep ? (below ? 0.75 : 0.25) : left ? 0.5 : below;
+    const exact turn =
+        cylint_exact_from(arena, axis + (back ? -k : k) * 0x1p-8);
+    return cylint_exact_add(arena, turn,
+                            back ? cylint_exact_neg(beyond) : beyond);
 }
 
 /* ------------------------------------------------------------- facts --- */
@@ -198,7 +216,10 @@ static double phi_of(const described *at)
         x = cylint_exact_neg(x);
     if (cylint_left_handed(s))
         y = cylint_exact_neg(y);
-    return angle_of(arena, x, y);
+    if (x.sign == 0 && y.sign == 0) /* on the axis */
+        return 0;
+    const double turns = cylint_exact_nearest(cylint_angle(arena, x, y), 0);
+    return turns < 1 ? turns : 1 - CYLINT_NEAREST_ROUNDING;
 }
 
 void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,

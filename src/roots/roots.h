@@ -58,6 +58,10 @@ exact cylint_inverse_root(cylint_arena *arena, exact x);
 exact cylint_square_root(cylint_arena *arena, exact x);
 exact cylint_inverse(cylint_arena *arena, exact x);
 
+/* The angle of (x, y), not both 0, in turns, counted from the x axis towards the y
+ * axis, in [0, 1], with an error below CYLINT_ANGLE_ERROR, relative (turns.h). */
+exact cylint_angle(cylint_arena *arena, exact x, exact y);
+
 /* A root with exact coefficients: t = (-B + s R) / A with R^2 = B^2 - A C, or
  * the limit of that for A = 0. */
 typedef struct {
@@ -93,7 +97,8 @@ double cylint_nearest_at(cylint_query *q, cylint_rounded of, const surd *t,
 /* Writes the wanted members of a hit but t, part and side, from the line, the
  * shape and the root only: each component is the nearest double, in every
  * floating-point environment.  Of normal and phi the real number can be nearer
- * than CYLINT_VALUE_ERROR to the middle of two doubles: then it is one of these.
+ * than CYLINT_VALUE_ERROR or CYLINT_ANGLE_ERROR to the middle of two doubles: then
+ * it is one of these.
  * apex: whether the hit is the apex of a cone. */
 void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
                          unsigned want, cylint_hit *hit);

@@ -3,8 +3,8 @@
  *
  * Computes the nodes and constants again.  Measures the errors of angles over
  * their bounds: in lanes of every width, with and without fused multiply-add,
- * of exact and of inexact points, and in pairs in each rounding mode.  CYLINT_CASES
- * is the number of points.
+ * of exact and of inexact points, and from exact numbers (roots/hit.c) in each
+ * rounding mode.  CYLINT_CASES is the number of points.
  */
 #include <fenv.h>
 #include <math.h>
@@ -14,6 +14,7 @@
 #include "check.h"
 #include "dispatch.h"
 #include "numbers/error_bounds.h"
+#include "roots/roots.h"
 #include "numbers/turns_lanes.h"
 #include "draw.h"
 #include "real.h"
@@ -245,46 +246,31 @@ static double worst_of(lanes_build *b, const turn_point *p)
     return worst;
 }
 
-/* ---------------------------------------------------------------- pairs -- */
+/* -------------------------------------------------------- exact numbers -- */
 
-static const struct {
-    const char *name;
-    int mode;
-    double bound;
-} modes[] = {{"to nearest", FE_TONEAREST, CYLINT_TURN_PAIR_ERROR},
-             {"upward", FE_UPWARD, CYLINT_TURN_DIRECTED_ERROR},
-             {"downward", FE_DOWNWARD, CYLINT_TURN_DIRECTED_ERROR},
-             {"toward zero", FE_TOWARDZERO, CYLINT_TURN_DIRECTED_ERROR}};
-static double worst_pair[4];
+static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
+                            FE_TOWARDZERO};
+static double worst_exact;
 
-static pair pair_times_power(pair x, int e)
+static void judge_exact_numbers(void)
 {
-    return two_sum(ldexp(x.hi, e), ldexp(x.lo, e));
-}
-
-static void judge_pairs(void)
-{
+    static cylint_arena arena;
     for (int i = 0; i < BLOCK; i++) {
         const turn_point *p = exact_points + i;
-        int e;
-        frexp(fmax(fabs(p->x.hi), fabs(p->y.hi)), &e);
-        const int scale = one_of(3) - e;
-        const pair x = pair_times_power(p->x, scale),
-                   y = pair_times_power(p->y, scale);
-        if ((x.hi != 0 && fabs(x.hi) < 0x1p-200) ||
-            (y.hi != 0 && fabs(y.hi) < 0x1p-200))
-            continue;
         for (int m = 0; m < 4; m++) {
-            fesetround(modes[m].mode);
-            const pair turn = cylint_turn_pair(x, y);
+            fesetround(modes[m]);
+            cylint_arena_open(&arena);
+            const exact x = cylint_exact_of_sum(&arena, p->x.hi, p->x.lo),
+                        y = cylint_exact_of_sum(&arena, p->y.hi, p->y.lo);
+            const pair turn =
+                cylint_exact_round(&arena, cylint_angle(&arena, x, y));
             fesetround(FE_TONEAREST);
             const double error = error_of(turn, truth + i);
-            if (!CHECK(error <= modes[m].bound * truth[i].head))
-                REPORT("%s: atan2(%a + %a, %a + %a): %a + %a", modes[m].name,
-                       y.hi, y.lo, x.hi, x.lo, turn.hi, turn.lo);
+            if (!CHECK(error <= CYLINT_ANGLE_ERROR * truth[i].head))
+                REPORT("mode %d: atan2(%a + %a, %a + %a): %a + %a", m, p->y.hi,
+                       p->y.lo, p->x.hi, p->x.lo, turn.hi, turn.lo);
             if (error > 0)
-                worst_pair[m] =
-                    fmax(worst_pair[m], error / truth[i].head / modes[m].bound);
+                worst_exact = fmax(worst_exact, error / truth[i].head);
         }
     }
 }
@@ -303,7 +289,7 @@ TEST(angles_have_their_bounds)
             b->exact = fmax(b->exact, worst_of(b, exact_points));
             b->inexact = fmax(b->inexact, worst_of(b, inexact_points));
         }
-        judge_pairs();
+        judge_exact_numbers();
     }
     for (size_t k = 0; k < build_count(); k++) {
         const lanes_build *b = builds + k;
@@ -313,7 +299,6 @@ TEST(angles_have_their_bounds)
         CHECK(b->exact <= 1 && b->inexact <= 1);
         CHECK(log2(b->largest) < -72.3);
     }
-    for (int m = 0; m < 4; m++)
-        printf("note: pairs, %-11s error over its bound: %.3f\n", modes[m].name,
-               worst_pair[m]);
+    printf("note: exact numbers, error over its bound: %.3f\n",
+           worst_exact / CYLINT_ANGLE_ERROR);
 }
