@@ -3,9 +3,9 @@
  *
  * A method computes the chord: the interval in which the line overlaps the
  * unbounded solid.  The steps that the authors leave to the reader are
- * shared, so that every method does them alike: clipping the chord by the
- * planes of the ends (chord.c), writing it as a cylint_answer (report.c) and
- * computing a hit's point, normal, z and phi (method_hit.c).
+ * shared, so that every method does them alike (answer.c): clipping the chord by
+ * the planes of the ends, writing it as a cylint_answer, and computing a hit's
+ * point, normal, z and phi.
  *
  * All arithmetic is in plain doubles, without tolerances and without error
  * bounds, because the methods are here to be measured.  They read only the
@@ -163,11 +163,6 @@ cylint_status cylint_method_report(const cylint_shape *shape,
                                    const cylint_line *line, unsigned want,
                                    const cylint_method_chord *chord,
                                    cylint_answer *answer);
-
-/* Writes the wanted members of a hit. */
-void cylint_method_hit(const cylint_shape *shape, const cylint_line *line,
-                       unsigned want, double t, int part, int side,
-                       cylint_hit *hit);
 
 /* The rows of the inverse of [a b h], so that a point c + x a + y b + z h has
  * (x, y, z) = rows (point - c).  h is the axis.  The semi-axes a and b of a
