@@ -10,9 +10,7 @@
 /* x divided by a power of two, so that products neither over- nor underflow. */
 static void to_size_of_one(const double x[3], double to[3])
 {
-    double most = 0;
-    for (int i = 0; i < 3; i++)
-        most = cylint_less(most, fabs(x[i])) ? fabs(x[i]) : most;
+    const double most = cylint_largest_by_bits(x);
     const int e = cylint_sign(most) == 0 ? 0 : cylint_any_exponent(most);
     for (int i = 0; i < 3; i++)
         to[i] = cylint_scaled(x[i], -e);

@@ -152,6 +152,9 @@ static inline double cylint_largest(const double x[3])
     return cylint_larger(cylint_larger(fabs(x[0]), fabs(x[1])), fabs(x[2]));
 }
 
+/* The same of numbers that the processor may read as 0. */
+double cylint_largest_by_bits(const double x[3]);
+
 /* lint: the analyzer takes three rounds of EACH for one */
 CYLINT_INLINE double cylint_dot(const double x[3], const double y[3])
 {

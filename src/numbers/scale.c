@@ -1,5 +1,7 @@
 /*
- * scale.c - scaling by powers of two, and exact differences
+ * scale.c - scaling by powers of two, exact differences, the largest of three
+ *
+ * Apart from exact.c, which tests/bounds/test_arena.c replaces.
  */
 #include "bits.h"
 #include "exact.h"
@@ -21,4 +23,13 @@ pair cylint_difference_by_bits(double x, double y)
     cylint_arena arena;
     cylint_arena_open(&arena);
     return cylint_exact_round(&arena, cylint_exact_difference(&arena, x, y));
+}
+
+double cylint_largest_by_bits(const double x[3])
+{
+    double most = 0;
+    for (int i = 0; i < 3; i++)
+        if (cylint_less(most, fabs(x[i])))
+            most = fabs(x[i]);
+    return most;
 }

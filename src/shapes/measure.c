@@ -26,21 +26,11 @@ static int within_window(double x)
     return x >= 1 / CYLINT_WINDOW && x <= CYLINT_WINDOW;
 }
 
-/* cylint_largest() of numbers that the processor may read as 0. */
-ASIDE double largest_by_bits(const double x[3])
-{
-    double most = 0;
-    for (int i = 0; i < 3; i++)
-        if (cylint_less(most, fabs(x[i])))
-            most = fabs(x[i]);
-    return most;
-}
-
 void cylint_measure_line(cylint_line *line)
 {
     line->size = cylint_largest(line->d);
     if (!(line->size >= DBL_MIN))
-        line->size = largest_by_bits(line->d);
+        line->size = cylint_largest_by_bits(line->d);
     line->in_range =
         within_window(line->size) && cylint_largest(line->o) <= CYLINT_FAR;
 }
