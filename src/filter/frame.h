@@ -312,23 +312,35 @@ INLINE vpair pair_at(const source *from, int i)
     return (vpair){number_at(from, i), number_at(from, i + CYLINT_LOW)};
 }
 
+/* Moves z from an end, whose radius is r, to the plane in which the lateral surface of
+ * a round cone touches the ball there, and r to that circle. */
+INLINE void move_to_circle(vd *z, vd *r, const source *from)
+{
+    *z = v_sum_of(number_at(from, CYLINT_AT_SINE), *r, *z);
+    *r = number_at(from, CYLINT_AT_COSINE) * *r;
+}
+
+INLINE void move_to_circle_in_pairs(vpair *z, vpair *r, const source *from)
+{
+    *z = vpair_add(*z, vpair_mul(*r, pair_at(from, CYLINT_AT_SINE)));
+    *r = vpair_mul(*r, pair_at(from, CYLINT_AT_COSINE));
+}
+
 /* The lateral surface, and z from the base. */
 INLINE void set_surface(local_line *l, vd from_base, const source *from,
                         int solid)
 {
-    const vd r = number_at(from, CYLINT_AT_R0), one = v_set(1);
+    const vd one = v_set(1);
     l->from_base = l->in.z = from_base;
-    l->in.r = r;
+    l->in.r = number_at(from, CYLINT_AT_R0);
     l->in.slope = v_set(0);
     l->taper = one;
     if (cylint_solid_is_tapered(solid)) {
         l->in.slope = number_at(from, CYLINT_AT_SLOPE);
         l->taper = one + v_abs(l->in.slope);
     }
-    if (solid == CYLINT_SOLID_ROUND_CONE) {
-        l->in.z = v_sum_of(number_at(from, CYLINT_AT_SINE), r, from_base);
-        l->in.r = number_at(from, CYLINT_AT_COSINE) * r;
-    }
+    if (solid == CYLINT_SOLID_ROUND_CONE)
+        move_to_circle(&l->in.z, &l->in.r, from);
 }
 
 /* The planes, circles and balls of the ends, after set_surface(). */
@@ -348,11 +360,8 @@ INLINE void set_ends(local_line *l, const source *from, int solid)
         l->ball_r[k] = ends_of(r0, r1, k);
         l->z[k] = l->ball_z[k];
         l->r[k] = l->ball_r[k];
-        if (solid == CYLINT_SOLID_ROUND_CONE) {
-            l->z[k] = v_sum_of(number_at(from, CYLINT_AT_SINE), l->ball_r[k],
-                               l->ball_z[k]);
-            l->r[k] = number_at(from, CYLINT_AT_COSINE) * l->ball_r[k];
-        }
+        if (solid == CYLINT_SOLID_ROUND_CONE)
+            move_to_circle(&l->z[k], &l->r[k], from);
     }
 }
 
@@ -363,20 +372,16 @@ INLINE void set_heights(pair_line *to, vpair from_base, const source *from,
     const vpair from_top =
         vpair_sub(from_base, pair_at(from, CYLINT_AT_HEIGHT));
     const vpair slope = pair_at(from, CYLINT_AT_SLOPE);
-    const vpair r = {number_at(from, CYLINT_AT_R0), v_set(0)};
-    vpair circle = r, from_circle = from_base;
+    vpair z = from_base, r = {number_at(from, CYLINT_AT_R0), v_set(0)};
     EACH(k, ENDS)
         to->z[k] = pairs_of_ends(from_base, from_top, k);
     to->rho = r;
     to->growth = vpair_set(0, 0);
     if (!cylint_solid_is_tapered(solid))
         return;
-    if (cylint_solid_is_round(solid)) {
-        circle = vpair_mul(r, pair_at(from, CYLINT_AT_COSINE));
-        from_circle =
-            vpair_add(from_base, vpair_mul(r, pair_at(from, CYLINT_AT_SINE)));
-    }
-    to->rho = vpair_add(circle, vpair_mul(slope, from_circle));
+    if (solid == CYLINT_SOLID_ROUND_CONE)
+        move_to_circle_in_pairs(&z, &r, from);
+    to->rho = vpair_add(r, vpair_mul(slope, z));
     to->growth = vpair_mul(slope, to->w);
 }
 

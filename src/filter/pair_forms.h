@@ -17,16 +17,13 @@ static const verdict no_verdict;
 INLINE void set_planes(vpair z[1], vpair r[1], const pair_line *in,
                        const cylint_shape *shape, int solid)
 {
+    const source from = {shape, NULL};
+    const vd r0 = v_set(cylint_r0(shape)), both = v_load(cylint_radii(shape));
     z[0] = in->z[0];
-    r[0] = (vpair){v_if(cylint_solid_is_tapered(solid),
-                        v_load(cylint_radii(shape)), v_set(cylint_r0(shape))),
-                   v_set(0)};
-    if (solid == CYLINT_SOLID_ROUND_CONE) {
-        z[0] = vpair_add(z[0], vpair_mul(r[0], all_lanes(cylint_number_pair(
-                                                   shape, CYLINT_AT_SINE))));
-        r[0] = vpair_mul(
-            r[0], all_lanes(cylint_number_pair(shape, CYLINT_AT_COSINE)));
-    }
+    r[0].hi = v_if(cylint_solid_is_tapered(solid), both, r0);
+    r[0].lo = v_set(0);
+    if (solid == CYLINT_SOLID_ROUND_CONE)
+        move_to_circle_in_pairs(z, r, &from);
 }
 
 /* The line of the forms. */
