@@ -11,6 +11,29 @@
 #include "shapes/local.h"
 #include "dispatch.h"
 
+/* The answer of the kernel, and that of all stages of the filter, one after the
+ * other. */
+CYLINT_INLINE int by_kernel(const cylint_shape *shape, const cylint_line *line,
+                            unsigned want, cylint_answer *answer,
+                            cylint_question *q)
+{
+    const unsigned solid =
+        (unsigned)cylint_prepared(shape) & -(unsigned)line->in_range;
+    q->shape = shape;
+    q->line = line;
+    q->answer = answer;
+    q->want = want;
+    return cylint_one_used->by_solid[solid](shape, line, q);
+}
+
+CYLINT_INLINE int by_filter(const cylint_shape *shape, const cylint_line *line,
+                            unsigned want, cylint_answer *answer,
+                            cylint_question *q)
+{
+    const int n = by_kernel(shape, line, want, answer, q);
+    return n == CYLINT_UNDECIDED ? cylint_one_used->refine(q) : n;
+}
+
 #if CYLINT_IS_PARANOID
 /* Whether wanted members differ in a bit. */
 static int hits_differ(const cylint_hit *x, const cylint_hit *y, unsigned want)
@@ -160,9 +183,9 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
     cylint_answer partial;
     cylint_question question;
     question.described = answer;
-    const int n = cylint_filter_one(cylint_one_used, shape, line,
-                                    want | CYLINT_WANT_T | CYLINT_WANT_PART,
-                                    &partial, &question);
+    const int n =
+        by_filter(shape, line, want | CYLINT_WANT_T | CYLINT_WANT_PART,
+                  &partial, &question);
     if (n == CYLINT_UNDECIDED)
         return cylint_intersect_by_signs(shape, line, want, answer);
     answer->relation = partial.relation;
@@ -176,8 +199,7 @@ CYLINT_INLINE int answer_t(const cylint_shape *shape, const cylint_line *line,
                            unsigned want, cylint_answer *answer)
 {
     cylint_question q;
-    const int n =
-        cylint_filter_one(cylint_one_used, shape, line, want, answer, &q);
+    const int n = by_filter(shape, line, want, answer, &q);
     if (n == CYLINT_UNDECIDED)
         return cylint_intersect_by_signs(q.shape, q.line, q.want, q.answer);
     return n;
@@ -228,10 +250,7 @@ int cylint_occluded_in_doubles(int kind, int ends, const cylint_record *from,
     cylint_answer answer;
     cylint_question question;
     cylint_local_in_doubles(&shape, kind, ends, from);
-    const unsigned solid =
-        (unsigned)cylint_prepared(&shape) & -(unsigned)line->in_range;
-    return cylint_one_used->by_solid[solid](&shape, line, CYLINT_WANT_NEAREST,
-                                            &answer, &question);
+    return by_kernel(&shape, line, CYLINT_WANT_NEAREST, &answer, &question);
 }
 
 /* Without the filter. */

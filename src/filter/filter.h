@@ -63,11 +63,11 @@ typedef struct {
 } cylint_question;
 
 /* Relation, n, and the wanted t, part and side.  Writes *question->answer and
- * returns its n, or sets question->next and returns CYLINT_UNDECIDED.  The
- * first four arguments are members of the question. */
+ * returns its n, or sets question->next and returns CYLINT_UNDECIDED.  The shape
+ * and the line are those of the question. */
 typedef int cylint_kernel_one(const cylint_shape *shape,
-                              const cylint_line *line, unsigned want,
-                              cylint_answer *answer, cylint_question *question);
+                              const cylint_line *line,
+                              cylint_question *question);
 
 /* On which side of a shape's surface the point lies: 1 inside, 0 on it, -1
  * outside; or CYLINT_SIGN_UNDECIDED.  No coordinate exceeds CYLINT_FAR. */
@@ -89,23 +89,6 @@ typedef struct {
 } cylint_one_kernels;
 
 extern const cylint_one_kernels cylint_one_plain, cylint_one_fma;
-
-/* The stages of the filter, one after the other. */
-static inline int cylint_filter_one(const cylint_one_kernels *kernels,
-                                    const cylint_shape *shape,
-                                    const cylint_line *line, unsigned want,
-                                    cylint_answer *answer,
-                                    cylint_question *question)
-{
-    const unsigned solid =
-        (unsigned)cylint_prepared(shape) & -(unsigned)line->in_range;
-    question->shape = shape;
-    question->line = line;
-    question->answer = answer;
-    question->want = want;
-    const int n = kernels->by_solid[solid](shape, line, want, answer, question);
-    return n == CYLINT_UNDECIDED ? kernels->refine(question) : n;
-}
 
 /* --------------------------------------------------- many questions ----- */
 

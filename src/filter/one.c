@@ -19,22 +19,17 @@
 
 /* Half-spaces, and shapes and lines that the filter does not serve. */
 static int no_solid(const cylint_shape *shape, const cylint_line *line,
-                    unsigned want, cylint_answer *answer,
-                    cylint_question *question)
+                    cylint_question *q)
 {
-    const int n = cylint_intersect_plane(shape, line, want, answer);
-    question->next = CYLINT_REFINE_NONE;
-    question->undecided[0] = want & CYLINT_WANT_BESIDE_T;
+    const int n = cylint_intersect_plane(shape, line, q->want, q->answer);
+    q->next = CYLINT_REFINE_NONE;
+    q->undecided[0] = q->want & CYLINT_WANT_BESIDE_T;
     return n;
 }
 
 #if LANES == 2
 
 #include "refine.h"
-
-#define ARGUMENTS                                                      \
-    const cylint_shape *shape, const cylint_line *line, unsigned want, \
-        cylint_answer *answer, cylint_question *question
 
 /* An error of G above this share of it makes residuals in levels likely.  Only
  * time depends on it. */
@@ -52,10 +47,9 @@ INLINE int is_grazing(const verdict *v, int solid)
 
 /* The answer to lines that G does not reject. */
 INLINE int answer_after_G(const first_line *first, bounded_value G,
-                          const arguments *a, int roots, int solid)
+                          cylint_question *q, int roots, int solid)
 {
-    const source from = {a->shape, a->line};
-    cylint_question *question = a->question;
+    const source from = {q->shape, q->line};
     local_line l = no_line;
     forms f = no_forms;
     verdict v = no_verdict;
@@ -67,20 +61,20 @@ INLINE int answer_after_G(const first_line *first, bounded_value G,
     v.G = G;
     v.ball.computed = 0;
     judge(&v, &f, &l, solid);
-    question->Q = v_first(l.Q);
-    question->D = v_first(l.D);
+    q->Q = v_first(l.Q);
+    q->D = v_first(l.D);
     if (m_bits(v.misses) & 1)
-        return write_miss(a->answer);
+        return write_miss(q->answer);
     if (!(m_bits(v.crosses) & 1))
-        return leave_undecided(question, CYLINT_REFINE_LINE);
+        return leave_undecided(q, CYLINT_REFINE_LINE);
     if (!roots)
-        return answer_by_signs(&l, &v, a, solid);
+        return answer_by_signs(&l, &v, q, solid);
     if (!(m_bits(v.sided) & 1) || is_grazing(&v, solid) ||
         !cylint_rounds_to_nearest())
-        return leave_undecided(question, CYLINT_REFINE_LINE);
+        return leave_undecided(q, CYLINT_REFINE_LINE);
     pair_line in;
     load_pairs(&in, &from, 1, solid);
-    return answer_by_roots(&l, &v, &in, a, solid);
+    return answer_by_roots(&l, &v, &in, q, solid);
 }
 
 INLINE bounded_value test_of_G(const first_line *first, const source *from,
@@ -96,25 +90,23 @@ INLINE bounded_value test_of_G(const first_line *first, const source *from,
 /* The test of G.  Its values are passed in registers, so a miss saves none. */
 #define FIRST vd p, vd v, vd from_base, vd w, vd Q, vd D, vd G, vd G_error
 #define VALUES a.p, a.v, a.from_base, a.w, a.Q, a.D, G.v, G.e
-#define KERNEL(name, signs, roots, solid)                                \
-    static int name(ARGUMENTS)                                           \
-    {                                                                    \
-        const source from = {shape, line};                               \
-        const first_line a = load_first(&from, solid);                   \
-        const bounded_value G = test_of_G(&a, &from, solid);             \
-        if (m_bits(v_lt(G.v, -G.e)) & 1)                                 \
-            return write_miss(answer);                                   \
-        return want & CYLINT_WANT_T                                      \
-                   ? roots(shape, line, want, answer, question, VALUES)  \
-                   : signs(shape, line, want, answer, question, VALUES); \
-    }
-#define AFTER_G(name, roots, solid)                                           \
-    ASIDE int name(ARGUMENTS, FIRST)                                          \
+#define KERNEL(name, signs, roots, solid)                                     \
+    static int name(const cylint_shape *shape, const cylint_line *line,       \
+                    cylint_question *q)                                       \
     {                                                                         \
-        const first_line first = {p, v, from_base, w, Q, D};                  \
-        const arguments a = {shape, line, want, answer, question};            \
-        return answer_after_G(&first, (bounded_value){G, G_error}, &a, roots, \
-                              solid);                                         \
+        const source from = {shape, line};                                    \
+        const first_line a = load_first(&from, solid);                        \
+        const bounded_value G = test_of_G(&a, &from, solid);                  \
+        if (m_bits(v_lt(G.v, -G.e)) & 1)                                      \
+            return write_miss(q->answer);                                     \
+        return q->want & CYLINT_WANT_T ? roots(q, VALUES) : signs(q, VALUES); \
+    }
+#define AFTER_G(name, roots, solid)                                          \
+    ASIDE int name(cylint_question *q, FIRST)                                \
+    {                                                                        \
+        const first_line first = {p, v, from_base, w, Q, D};                 \
+        return answer_after_G(&first, (bounded_value){G, G_error}, q, roots, \
+                              solid);                                        \
     }
 /* The signs at the ends of the domain. */
 #define REFINE(name, solid)             \
@@ -138,8 +130,8 @@ CYLINT_EACH_SOLID(REFINED)
 #else
 /* Without a fused multiply-add the code of a product in pairs is long: the other
  * solids share the code after the test of G, and all solids share any_refined. */
-AFTER_G(any_signs, 0, cylint_prepared(shape))
-AFTER_G(any_roots, 1, cylint_prepared(shape))
+AFTER_G(any_signs, 0, cylint_prepared(q->shape))
+AFTER_G(any_roots, 1, cylint_prepared(q->shape))
 REFINE(any_refined, cylint_prepared(q->shape))
 #define OTHERS(name, solid) KERNEL(name, any_signs, any_roots, solid)
 #define REFINED(name, solid) [solid] = any_refined,

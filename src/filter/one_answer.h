@@ -9,15 +9,6 @@
 
 #include "describe.h"
 
-/* The arguments of a kernel, in registers where functions are inlined. */
-typedef struct {
-    const cylint_shape *shape;
-    const cylint_line *line;
-    unsigned want;
-    cylint_answer *answer;
-    cylint_question *question;
-} arguments;
-
 /* ----------------------------------------------------------- answers ---- */
 
 /* The surface of a sphere is one part, which may be a ball of a round cone. */
@@ -70,11 +61,11 @@ INLINE void write_parts(cylint_answer *answer, cylint_end_bits e, unsigned hits,
 /* Writes a line that crosses with hits at those ends.  r: their roots, or NULL if
  * t is not wanted.  in: the line in pairs, if other members are wanted. */
 INLINE int write_hits(unsigned hits, cylint_end_bits e, const root *r,
-                      const pair_line *in, const arguments *a, int solid)
+                      const pair_line *in, cylint_question *q, int solid)
 {
     const int unbounded = !cylint_solid_is_bounded(solid);
-    cylint_answer *answer = a->answer;
-    if (a->want & CYLINT_WANT_NEAREST && hits == 3)
+    cylint_answer *answer = q->answer;
+    if (q->want & CYLINT_WANT_NEAREST && hits == 3)
         hits = 1u << e.back;
     answer->relation = CYLINT_RELATION_CROSS;
     if (r && hits) {
@@ -84,10 +75,10 @@ INLINE int write_hits(unsigned hits, cylint_end_bits e, const root *r,
         answer->hit[0].t = t[lane];
         if (hits == 3)
             answer->hit[1].t = t[!lane];
-        if (a->want & CYLINT_WANT_BESIDE_T)
-            describe_hits(a->question, in, r, e, hits == 3 ? 2 : 1, lane);
+        if (q->want & CYLINT_WANT_BESIDE_T)
+            describe_hits(q, in, r, e, hits == 3 ? 2 : 1, lane);
     }
-    if (a->want & CYLINT_WANT_PART)
+    if (q->want & CYLINT_WANT_PART)
         write_parts(answer, e, hits, unbounded);
     return answer->n = (int)(hits & 1) + (int)(hits >> 1);
 }
@@ -96,7 +87,7 @@ INLINE int write_hits(unsigned hits, cylint_end_bits e, const root *r,
 
 /* The hits of a line that crosses, by the signs at the ends of the domain. */
 INLINE int answer_by_places(const place *at, cylint_end_bits e,
-                            const arguments *a, int solid)
+                            cylint_question *q, int solid)
 {
     const unsigned before = m_bits(at->before), inside = m_bits(at->inside),
                    after = m_bits(at->after);
@@ -105,7 +96,7 @@ INLINE int answer_by_places(const place *at, cylint_end_bits e,
     const unsigned begins = before & 1 & ~(before >> 1);
     const unsigned ends = ~after & 1 & (after >> 1);
     return write_hits(e.present & (begins << e.back | ends << !e.back), e, NULL,
-                      NULL, a, solid);
+                      NULL, q, solid);
 }
 
 /* All ends are present, and their parts are not wanted. */
@@ -116,43 +107,41 @@ INLINE int ignores_parts(const cylint_shape *shape, unsigned want, int solid)
            !(want & CYLINT_WANT_PART);
 }
 
-INLINE int leave_undecided(cylint_question *question, cylint_refinement next)
+INLINE int leave_undecided(cylint_question *q, cylint_refinement next)
 {
-    question->next = next;
+    q->next = next;
     return CYLINT_UNDECIDED;
 }
 
 INLINE int answer_by_signs(const local_line *l, const verdict *v,
-                           const arguments *a, int solid)
+                           cylint_question *q, int solid)
 {
-    const cylint_line *line = a->line;
-    cylint_question *question = a->question;
-    const int no_parts = ignores_parts(a->shape, a->want, solid);
+    const cylint_line *line = q->line;
+    const int no_parts = ignores_parts(q->shape, q->want, solid);
     if (!no_parts && !(m_bits(v->sided) & 1))
-        return leave_undecided(question, CYLINT_REFINE_LINE);
-    if (no_parts && a->want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
+        return leave_undecided(q, CYLINT_REFINE_LINE);
+    if (no_parts && q->want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&
         line->tmax > v_first(latest(solid)) && solid != CYLINT_SOLID_NAPPE &&
         m_bits(is_ahead(l, v, solid)) & 1) {
-        a->answer->relation = CYLINT_RELATION_CROSS;
-        return a->answer->n = 1;
+        q->answer->relation = CYLINT_RELATION_CROSS;
+        return q->answer->n = 1;
     }
     const line_end e = end_number(l, v, 0, solid);
-    const cylint_end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
+    const cylint_end_bits bits = bits_of_end(&e, l, v, q->shape, solid);
     point_signs at = no_point_signs;
     set_point_signs(&at, l, v, near_limit(l->limit[0]), solid);
     const place where = place_of(&at, v, l->limit[0], solid);
-    const int n = answer_by_places(&where, bits, a, solid);
+    const int n = answer_by_places(&where, bits, q, solid);
     if (n != CYLINT_UNDECIDED)
         return n;
-    question->ends = bits;
-    question->exists =
-        cylint_solid_is_bounded(solid) ? 3 : m_bits(v->exists[0]);
-    question->past[0] = m_bits(at.past.positive);
-    question->past[1] = m_bits(at.past.negative);
-    question->A = v_first(v->A.v);
-    question->rises = (int)(m_bits(v_lt(v->B.e, v->B.v)) & 1) -
-                      (int)(m_bits(v_lt(v->B.v, -v->B.e)) & 1);
-    return leave_undecided(question, CYLINT_REFINE_ENDS);
+    q->ends = bits;
+    q->exists = cylint_solid_is_bounded(solid) ? 3 : m_bits(v->exists[0]);
+    q->past[0] = m_bits(at.past.positive);
+    q->past[1] = m_bits(at.past.negative);
+    q->A = v_first(v->A.v);
+    q->rises = (int)(m_bits(v_lt(v->B.e, v->B.v)) & 1) -
+               (int)(m_bits(v_lt(v->B.v, -v->B.e)) & 1);
+    return leave_undecided(q, CYLINT_REFINE_ENDS);
 }
 
 /* The ends without which there is no answer. */
@@ -164,29 +153,28 @@ INLINE unsigned ends_needed(hits h, cylint_end_bits e, unsigned want)
 }
 
 INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
-                           const arguments *a, int solid)
+                           cylint_question *q, int solid)
 {
-    cylint_question *question = a->question;
     if (cylint_solid_is_round(solid) && solid != CYLINT_SOLID_SPHERE)
         compute_balls(&v->ball, l);
     const line_end e = end_number(l, v, 0, solid);
     const estimate at = estimate_end(l, v, &e, solid);
-    const cylint_end_bits bits = bits_of_end(&e, l, v, a->shape, solid);
+    const cylint_end_bits bits = bits_of_end(&e, l, v, q->shape, solid);
     if (bits.present & ~m_bits(at.is_near))
-        return leave_undecided(question, CYLINT_REFINE_LINE);
+        return leave_undecided(q, CYLINT_REFINE_LINE);
     const root r = step_from(at.t, residual_at(in, l, at.t, &e, solid), &at);
     const hits h = hits_of_roots(&r, l, m_from(bits.present));
-    if (!ends_needed(h, bits, a->want))
-        return write_hits(m_bits(h.hit), bits, &r, in, a, solid);
-    question->ends = bits;
-    v_store(question->t, at.t);
-    v_store(question->slope, at.slope);
-    v_store(question->slope_error, at.slope_error);
-    v_store(question->curvature, at.curvature);
-    v_store(question->value, r.value);
-    v_store(question->tail, r.tail);
-    v_store(question->error, r.error);
-    return leave_undecided(question, CYLINT_REFINE_ROOTS);
+    if (!ends_needed(h, bits, q->want))
+        return write_hits(m_bits(h.hit), bits, &r, in, q, solid);
+    q->ends = bits;
+    v_store(q->t, at.t);
+    v_store(q->slope, at.slope);
+    v_store(q->slope_error, at.slope_error);
+    v_store(q->curvature, at.curvature);
+    v_store(q->value, r.value);
+    v_store(q->tail, r.tail);
+    v_store(q->error, r.error);
+    return leave_undecided(q, CYLINT_REFINE_ROOTS);
 }
 
 #endif

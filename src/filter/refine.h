@@ -52,11 +52,6 @@ INLINE void point_in_pairs(point_signs *at, const local_line *l,
     at->side = signs_of(side.v, side.e);
 }
 
-INLINE arguments arguments_of(cylint_question *q)
-{
-    return (arguments){q->shape, q->line, q->want, q->answer, q};
-}
-
 /* Whether the line certainly lies in the plane of an end, one of coordinates. */
 INLINE int lies_in_plane(const source *from)
 {
@@ -103,7 +98,6 @@ static int refine_line(cylint_question *q)
 {
     const cylint_shape *shape = q->shape;
     const int solid = cylint_prepared(shape);
-    const arguments a = arguments_of(q);
     const source from = {shape, q->line};
     local_line l = no_line;
     pair_line in;
@@ -131,7 +125,7 @@ static int refine_line(cylint_question *q)
         return leave_undecided(q, CYLINT_REFINE_NONE);
     count_all_roundings(&v, solid);
     if (q->want & CYLINT_WANT_T)
-        return answer_by_roots(&l, &v, &in, &a, solid);
+        return answer_by_roots(&l, &v, &in, q, solid);
     const line_end e = end_number(&l, &v, 0, solid);
     const vd t = near_limit(l.limit[0]);
     point_signs at = no_point_signs;
@@ -139,7 +133,7 @@ static int refine_line(cylint_question *q)
     set_between_planes(&at, v.in_plane);
     set_past(&at, &l, &v, t, solid);
     const place where = place_of(&at, &v, l.limit[0], solid);
-    return answer_by_places(&where, bits_of_end(&e, &l, &v, shape, solid), &a,
+    return answer_by_places(&where, bits_of_end(&e, &l, &v, shape, solid), q,
                             solid);
 }
 
@@ -297,7 +291,6 @@ INLINE hits with_exact_hits(hits h, const root *r, unsigned lanes,
  * which sides of the chord these lie is in q->past. */
 INLINE int refine_ends(cylint_question *q, int solid)
 {
-    const arguments a = arguments_of(q);
     local_line l = no_line;
     pair_line in;
     verdict v = no_verdict;
@@ -319,7 +312,7 @@ INLINE int refine_ends(cylint_question *q, int solid)
                 settle_at_origin(&at, 1u << i, q, solid);
         where = place_of(&at, &v, l.limit[0], solid);
     }
-    return answer_by_places(&where, q->ends, &a, solid);
+    return answer_by_places(&where, q->ends, q, solid);
 }
 
 /* A root of 0, or a second step, with residuals in levels for the ends that are
@@ -328,7 +321,6 @@ INLINE int refine_ends(cylint_question *q, int solid)
 static int refine_roots(cylint_question *q)
 {
     const cylint_shape *shape = q->shape;
-    const arguments a = arguments_of(q);
     const int solid = cylint_prepared(shape);
     const cylint_end_bits bits = q->ends;
     const estimate at = {.t = v_load(q->t),
@@ -355,7 +347,7 @@ static int refine_roots(cylint_question *q)
     h = with_exact_hits(h, &r, exact, q->line);
     needed = ends_needed(h, bits, q->want);
     if (!needed)
-        return write_hits(m_bits(h.hit), bits, &r, &in, &a, solid);
+        return write_hits(m_bits(h.hit), bits, &r, &in, q, solid);
     const vd off = (r.error + v_abs(r.tail)) * at.curvature;
     const vd start = v_select(
         v_le(off, v_set(CYLINT_LOCAL_NEAR) * v_abs(at.slope)), r.value, at.t);
@@ -383,7 +375,7 @@ static int refine_roots(cylint_question *q)
     }
     if (ends_needed(h, bits, q->want))
         return CYLINT_UNDECIDED;
-    return write_hits(m_bits(h.hit), bits, &r, &in, &a, solid);
+    return write_hits(m_bits(h.hit), bits, &r, &in, q, solid);
 }
 
 #endif
