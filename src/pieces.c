@@ -229,5 +229,5 @@ double cylint_line_length(const cylint_line *line)
         square = pair_add(square, pair_mul(d, d));
     }
     cylint_arena_open(&arena);
-    return cylint_double_of_pair(&arena, pair_sqrt(square), e);
+    return cylint_nearest_of_pair(&arena, pair_sqrt(square), e);
 }

@@ -127,16 +127,6 @@ static inline double cylint_nearest_of_pair(cylint_arena *arena, pair x, int e)
     return cylint_exact_nearest(cylint_exact_of_sum(arena, x.hi, x.lo), e);
 }
 
-/* The same, but hi 2^e for a number that is neither subnormal, which the processor
- * may flush, nor near the largest double, where a directed hi may be infinite. */
-static inline double cylint_double_of_pair(cylint_arena *arena, pair x, int e)
-{
-    const int exponent = cylint_exponent(x.hi) + e;
-    return exponent >= DBL_MIN_EXP - 1 && exponent < DBL_MAX_EXP - 1
-               ? cylint_scaled(x.hi, e)
-               : cylint_nearest_of_pair(arena, x, e);
-}
-
 /* The double nearest to x y, in every floating-point environment; exported, too. */
 CYLINT_API double cylint_nearest_product(double x, double y);
 
