@@ -118,7 +118,7 @@ static inline bounded_pair bounded_pair_difference(double x, double y)
 
 #undef INLINE
 
-/* forms.c defines these. */
+/* Large and rarely needed: sign.c defines these once. */
 #define INLINE
 #define FORMS_DECLARED
 #define NUM bounded_pair
