@@ -120,12 +120,6 @@ INLINE vd v_if(int condition, vd x, vd y)
     return condition ? x : y;
 }
 
-INLINE vpair pairs_of_ends(vpair of_base, vpair of_top, int k)
-{
-    return (vpair){ends_of(of_base.hi, of_top.hi, k),
-                   ends_of(of_base.lo, of_top.lo, k)};
-}
-
 /* The first numbers, or the second. */
 INLINE vpair pairs_of_two(vqpair x, int second)
 {
@@ -202,11 +196,6 @@ typedef struct {
 INLINE vpair vpair_set(double hi, double lo)
 {
     return (vpair){v_set(hi), v_set(lo)};
-}
-
-INLINE vpair all_lanes(pair x)
-{
-    return vpair_set(x.hi, x.lo);
 }
 
 /* z + t w. */
@@ -374,7 +363,8 @@ INLINE void set_heights(pair_line *to, vpair from_base, const source *from,
     const vpair slope = pair_at(from, CYLINT_AT_SLOPE);
     vpair z = from_base, r = {number_at(from, CYLINT_AT_R0), v_set(0)};
     EACH(k, ENDS)
-        to->z[k] = pairs_of_ends(from_base, from_top, k);
+        to->z[k] = (vpair){ends_of(from_base.hi, from_top.hi, k),
+                           ends_of(from_base.lo, from_top.lo, k)};
     to->rho = r;
     to->growth = vpair_set(0, 0);
     if (!cylint_solid_is_tapered(solid))

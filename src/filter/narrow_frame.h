@@ -115,7 +115,7 @@ INLINE vpair plane_coordinate(const source *from, int i, vm top, vm *is_fixed)
     const int fixed = cylint_end_is_level(s, i) && !cylint_too_small(base) &&
                       !cylint_too_small(end.hi);
     *is_fixed = m_from(fixed ? 3 : 0);
-    return pick(top, all_lanes(end), vpair_set(base, 0));
+    return pick(top, vpair_set(end.hi, end.lo), vpair_set(base, 0));
 }
 
 /* A point: the origin of a line with the direction 0. */
