@@ -54,17 +54,6 @@
 #define CYLINT_PAIR_SQRT 0x1.752p-104
 
 /*
- * The same in the directed modes, where |lo| <= ulp(hi) and the low parts of
- * two_sum and fast_two_sum are themselves rounded.  Proved for errors of the
- * low parts of at most 2^-104 |s| each and for exact products, as by fused
- * multiply-add (Dekker's splitting needs rounding to nearest).
- * CYLINT_PAIR_ROUNDING is a power of two above both.
- */
-#define CYLINT_PAIR_ADD_DIRECTED 0x7p-104
-#define CYLINT_PAIR_MUL_DIRECTED 0xdp-104
-#define CYLINT_PAIR_ROUNDING 0x1p-100
-
-/*
  * CYLINT_EXACT_ROUNDING: the error of an exact number rounded to a pair
  * (exact.h).
  *

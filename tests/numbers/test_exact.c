@@ -390,7 +390,8 @@ static void measure_errors(pair a, pair b, int mode, double error[OPERATIONS])
             over(minus(sum_of(got[k]), due[k]), real_of(unit[k]))->x, RND));
 }
 
-/* Quotients and roots are computed in rounding to nearest only. */
+/* Quotients and roots have bounds in rounding to nearest only; in directed modes
+ * sums and products have the digits that tangents need (shapes/tangent.c). */
 TEST(pairs_stay_within_their_bounds_in_every_rounding_mode)
 {
     static const double nearest[] = {CYLINT_PAIR_ADD, CYLINT_PAIR_MUL,
@@ -404,7 +405,7 @@ TEST(pairs_stay_within_their_bounds_in_every_rounding_mode)
                 continue;
             measure_errors(a, b, roundings[m], error);
             for (int k = SUM; k < (m ? QUOTIENT : OPERATIONS); k++) {
-                const double bound = m ? CYLINT_PAIR_ROUNDING : nearest[k];
+                const double bound = m ? 0x1p-100 : nearest[k];
                 worst[k] = fmax(worst[k], error[k] / bound);
                 if (!CHECK(error[k] <= bound))
                     REPORT("operation %d, rounding %d: %a + %a, %a + %a", k, m,
