@@ -72,11 +72,11 @@ static double exactly_outward(cylint_query *q, const surd *t, exact f0,
 /* The square of the reach of a section of radius 1 along a coordinate; of a
  * circular kind with two end points times |w|^2. */
 static exact exact_square_across(cylint_arena *m, const cylint_terms_exact *L,
-                                 int kind, int j)
+                                 int j)
 {
-    if (cylint_is_round(kind))
+    if (cylint_is_round(L->kind))
         return L->one;
-    if (cylint_is_elliptic(kind))
+    if (cylint_is_elliptic(L->kind))
         return cylint_exact_add(m, cylint_exact_mul(m, L->a[j], L->a[j]),
                                 cylint_exact_mul(m, L->b[j], L->b[j]));
     return cylint_exact_sub(m, L->vv, cylint_exact_mul(m, L->w[j], L->w[j]));
@@ -98,7 +98,7 @@ ASIDE double exact_side_of_end(const cylint_shape *s, int end, int j,
                          : L->one;
     const exact square =
         cylint_exact_mul(m, cylint_exact_mul(m, L->r[end], L->r[end]),
-                         exact_square_across(m, L, s->kind, j));
+                         exact_square_across(m, L, j));
     const surd reach = cylint_root_of_quotient(&q, square, by);
     return exactly_outward(&q, &reach, middle,
                            up ? L->one : cylint_exact_neg(L->one), L->one, up);
@@ -214,8 +214,7 @@ static int leans_inward(cylint_query *q, int j)
     const int used = m->used;
     exact along = cylint_exact_mul(m, L->w[j], L->w[j]);
     const exact dr2 = cylint_exact_mul(m, L->dr, L->dr);
-    const exact growth =
-        cylint_exact_mul(m, dr2, exact_square_across(m, L, q->kind, j));
+    const exact growth = cylint_exact_mul(m, dr2, exact_square_across(m, L, j));
     if (cylint_has_end_points(q->kind))
         along = cylint_exact_mul(m, along, L->vv);
     const exact over = cylint_exact_sub(m, along, growth);

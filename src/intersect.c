@@ -73,11 +73,11 @@ static void describe_exactly(cylint_query *q, const cylint_stop *at,
                              unsigned want, unsigned undecided, cylint_hit *hit)
 {
     if (undecided)
-        cylint_describe_hit(q, at->root, at->part, at->apex, undecided, hit);
+        cylint_describe_hit(q, at, undecided, hit);
 #if CYLINT_IS_PARANOID
     cylint_hit exact;
     want &= CYLINT_WANT_BESIDE_T;
-    cylint_describe_hit(q, at->root, at->part, at->apex, want, &exact);
+    cylint_describe_hit(q, at, want, &exact);
     cylint_contradiction(hits_differ(hit, &exact, want));
 #else
     (void)want;

@@ -100,11 +100,11 @@ INLINE int answer_by_places(const place *at, cylint_end_bits e,
 }
 
 /* All ends are present, and their parts are not wanted. */
-INLINE int ignores_parts(const cylint_shape *shape, unsigned want, int solid)
+INLINE int ignores_parts(const cylint_question *q, int solid)
 {
-    return (shape->ends == CYLINT_ENDS_CAPPED ||
+    return (q->shape->ends == CYLINT_ENDS_CAPPED ||
             !cylint_solid_is_bounded(solid)) &&
-           !(want & CYLINT_WANT_PART);
+           !(q->want & CYLINT_WANT_PART);
 }
 
 INLINE int leave_undecided(cylint_question *q, cylint_refinement next)
@@ -117,7 +117,7 @@ INLINE int answer_by_signs(const local_line *l, const verdict *v,
                            cylint_question *q, int solid)
 {
     const cylint_line *line = q->line;
-    const int no_parts = ignores_parts(q->shape, q->want, solid);
+    const int no_parts = ignores_parts(q, solid);
     if (!no_parts && !(m_bits(v->sided) & 1))
         return leave_undecided(q, CYLINT_REFINE_LINE);
     if (no_parts && q->want & CYLINT_WANT_NEAREST && line->tmin <= 0 &&

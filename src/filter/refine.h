@@ -120,8 +120,7 @@ static int refine_line(cylint_question *q)
     q->is_along = in_plane && !cylint_solid_is_round(solid);
     const int sided = (m_bits(v.sided) & 1) != 0;
     if (!(m_bits(v.crosses) & 1) ||
-        (!sided &&
-         (q->want & CYLINT_WANT_T || !ignores_parts(shape, q->want, solid))))
+        (!sided && (q->want & CYLINT_WANT_T || !ignores_parts(q, solid))))
         return leave_undecided(q, CYLINT_REFINE_NONE);
     count_all_roundings(&v, solid);
     if (q->want & CYLINT_WANT_T)

@@ -168,13 +168,13 @@ static void write_axial_normal(const described *at, const exact x[3], int sign,
             cylint_exact_signed(x[i], x[i].sign * sign), zero, square);
 }
 
-static void write_normal(const described *at, int part, int apex,
+static void write_normal(const described *at, const cylint_stop *stop,
                          double normal[3])
 {
-    if (!is_curved(at->q, part)) {
+    if (!is_curved(at->q, stop->part)) {
         write_axial_normal(at, cylint_axial_exact(&at->at_o),
-                           part == CYLINT_PART_CAP0 ? -1 : 1, normal);
-    } else if (apex) {
+                           stop->part == CYLINT_PART_CAP0 ? -1 : 1, normal);
+    } else if (stop->apex) {
         write_axial_normal(at, at->at_o.w, apex_sign(at->q), normal);
     } else {
         exact f0[3], f1[3], x[3];
@@ -222,12 +222,13 @@ static double phi_of(const described *at)
     return turns < 1 ? turns : 1 - CYLINT_NEAREST_ROUNDING;
 }
 
-void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
+void cylint_describe_hit(cylint_query *q, const cylint_stop *stop,
                          unsigned want, cylint_hit *hit)
 {
+    const cylint_root root = stop->root;
     const int has_axis = !cylint_has_no_axis(q->shape);
     const int has_z = has_axis && !is_on_cap(q, root),
-              has_phi = has_axis && !apex && !cylint_is_plane(q->kind);
+              has_phi = has_axis && !stop->apex && !cylint_is_plane(q->kind);
     if ((want & CYLINT_WANT_Z) && !has_z)
         hit->z = is_on_cap(q, root) && root == ROOT_CAP1;
     if ((want & CYLINT_WANT_PHI) && !has_phi)
@@ -243,7 +244,7 @@ void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
     if (want & CYLINT_WANT_POINT)
         write_point(&at, hit->point);
     if (want & CYLINT_WANT_NORMAL)
-        write_normal(&at, part, apex, hit->normal);
+        write_normal(&at, stop, hit->normal);
     q->arena.used = kept;
     if (from_root & CYLINT_WANT_Z)
         hit->z = z_of(&at);

@@ -24,7 +24,7 @@ int cylint_root_within(cylint_query *q, cylint_root root, int wanted,
 
 /* ------------------------------------------------------ the overlap ---- */
 
-/* An end of the overlap. */
+/* An end of the overlap.  apex: it is the apex of a cone. */
 typedef struct {
     cylint_root root;
     int part, side, apex;
@@ -98,9 +98,8 @@ double cylint_nearest_at(cylint_query *q, cylint_rounded of, const surd *t,
  * shape and the root only: each component is the nearest double, in every
  * floating-point environment.  Of normal and phi the real number can be nearer
  * than CYLINT_VALUE_ERROR or CYLINT_ANGLE_ERROR to the middle of two doubles: then
- * it is one of these.
- * apex: whether the hit is the apex of a cone. */
-void cylint_describe_hit(cylint_query *q, cylint_root root, int part, int apex,
-                         unsigned want, cylint_hit *hit);
+ * it is one of these. */
+void cylint_describe_hit(cylint_query *q, const cylint_stop *at, unsigned want,
+                         cylint_hit *hit);
 
 #endif

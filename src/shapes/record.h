@@ -32,8 +32,8 @@ typedef struct cylint_semi_axes {
     double a[3], b[3];
 } cylint_semi_axes;
 
-/* The kind whose constructor makes the shape.  A ball of a round cone, where the
- * other ball lies in it, is such a cone. */
+/* The kind whose constructor made the shape.  A round cone whose one ball holds the
+ * other is a sphere, but RCONE made it. */
 static inline int cylint_made_kind(const cylint_shape *s)
 {
     return s->kind == CYLINT_KIND_SPHERE &&

@@ -236,8 +236,8 @@ CYLINT_INLINE int cylint_is_reversed(const cylint_shape *s)
     return cylint_surface(s) == CYLINT_PART_CAP1;
 }
 
-/* The kind whose constructor makes this shape and all shapes between it and
- * others of that kind. */
+/* The kind whose constructor makes this shape and the shapes on the way from it to
+ * another one of that kind (motion). */
 CYLINT_INLINE int cylint_constructor_kind(const cylint_shape *s)
 {
     const int is_sphere = s->kind == CYLINT_KIND_SPHERE &&

@@ -134,8 +134,10 @@ static void compute_root(cylint_query *q, cylint_root root)
     double t = 0;
     cylint_root_within(q, root, 1, &t);
     for (int part = CYLINT_PART_LATERAL; part <= CYLINT_PART_CAP1; part++)
-        for (int apex = 0; apex < 2; apex++)
-            cylint_describe_hit(q, root, part, apex, CYLINT_WANT_ALL, &hit);
+        for (int apex = 0; apex < 2; apex++) {
+            const cylint_stop at = {root, part, 0, apex};
+            cylint_describe_hit(q, &at, CYLINT_WANT_ALL, &hit);
+        }
 }
 
 /* The largest number of limbs in use in one random question. */
