@@ -174,20 +174,9 @@ INLINE coordinate least_of_axis(const real hi[4], const real lo[4],
         {m_and_not(m_not(last), y_first), m_and_not(y_first, last), last}};
 }
 
-/* x at a coordinate, and at the two others. */
-INLINE real number_of(coordinate c, const real x[4])
+INLINE real number_of(coordinate c, const real x[3])
 {
     return v_select(c.is[0], x[0], v_select(c.is[1], x[1], x[2]));
-}
-
-INLINE real number_of_first_other(coordinate c, const real x[4])
-{
-    return v_select(c.is[0], x[1], x[0]);
-}
-
-INLINE real number_of_second_other(coordinate c, const real x[4])
-{
-    return v_select(c.is[2], x[1], x[2]);
 }
 
 INLINE four direction_of(coordinate c)
@@ -265,19 +254,9 @@ INLINE coordinate least_of_axis(const real hi[4], const real lo[4],
                              : least + last * (2 - least);
 }
 
-INLINE real number_of(coordinate c, const real x[4])
+INLINE real number_of(coordinate c, const real x[3])
 {
     return x[c];
-}
-
-INLINE real number_of_first_other(coordinate c, const real x[4])
-{
-    return x[c == 0];
-}
-
-INLINE real number_of_second_other(coordinate c, const real x[4])
-{
-    return x[2 - (c == 2)];
 }
 
 INLINE four direction_of(coordinate c)
@@ -290,6 +269,11 @@ INLINE four direction_of(coordinate c)
 #endif
 
 /* ------------------------------------------------------------- the rows ---- */
+
+INLINE one one_of(coordinate c, const real hi[3], const real lo[3])
+{
+    return (one){number_of(c, hi), number_of(c, lo)};
+}
 
 /* x in lanes of `e`, which is 1 there and else 0; y in the others. */
 INLINE vpair chosen(vd e, vpair x, vpair y)
@@ -324,11 +308,10 @@ INLINE inverse_lengths upright_rows(rows *m, const four *axis, double sign,
                                     int has_tangent, const cylint_shape *s)
 {
     const four w = *axis, w1 = turned(&w), w2 = turned(&w1);
-    real hi[4], lo[4], square_hi[4], square_lo[4];
+    real hi[4], lo[4], square_hi[5], square_lo[5];
     store_four(hi, lo, &w);
     const coordinate least = least_of_axis(hi, lo, s);
-    const real along = number_of(least, hi);
-    const four all_along = all_four((one){along, number_of(least, lo)});
+    const four all_along = all_four(one_of(least, hi, lo));
     const four e = direction_of(least), e1 = turned(&e), e2 = turned(&e1);
     four square, x, y;
     EACH(k, PARTS) {
@@ -339,15 +322,17 @@ INLINE inverse_lengths upright_rows(rows *m, const four *axis, double sign,
         y.part[k] = vpair_mul(w.part[k], all_along.part[k]);
     }
     store_four(square_hi, square_lo, &square);
-    const one aside = one_sum((one){number_of_first_other(least, square_hi),
-                                    number_of_first_other(least, square_lo)},
-                              (one){number_of_second_other(least, square_hi),
-                                    number_of_second_other(least, square_lo)});
-    const one length2 = one_sum(
-        aside, (one){number_of(least, square_hi), number_of(least, square_lo)});
-    const one lateral2 = one_sum(
-        has_tangent ? (one){real_of(1), real_of(0)} : length2,
-        (one){real_of(sign) * square_hi[3], real_of(sign) * square_lo[3]});
+    const one dr2 = {square_hi[3], square_lo[3]};
+    EACH(i, 2) { /* the two coordinates after each */
+        square_hi[3 + i] = square_hi[i];
+        square_lo[3 + i] = square_lo[i];
+    }
+    const one aside = one_sum(one_of(least, square_hi + 1, square_lo + 1),
+                              one_of(least, square_hi + 2, square_lo + 2));
+    const one length2 = one_sum(aside, one_of(least, square_hi, square_lo));
+    const one lateral2 =
+        one_sum(has_tangent ? (one){real_of(1), real_of(0)} : length2,
+                (one){real_of(sign) * dr2.hi, real_of(sign) * dr2.lo});
     const one of[3] = {length2, aside, lateral2};
     one root[3];
     inverse_roots(root, of);
