@@ -19,11 +19,9 @@ static void write_unit_vector(cylint_arena *arena, const exact x[3],
     const int used = arena->used;
     exact sum = cylint_exact_zero(arena);
     /* mutant '<' -> '<=': `make sanitize` detects the element too many */
-    for (int i = 0; i < 3; i++) {
-        sum = cylint_sum_of_sizes(
-            arena, sum, cylint_leading(cylint_exact_mul(arena, x[i], x[i])));
-    }
-    const exact per_size = cylint_inverse_root(arena, sum);
+    for (int i = 0; i < 3; i++)
+        sum = cylint_exact_add(arena, sum, cylint_exact_mul(arena, x[i], x[i]));
+    const exact per_size = cylint_inverse_root(arena, cylint_leading(sum));
     for (int i = 0; i < 3; i++)
         to[i] = cylint_positive_zero(
             cylint_exact_nearest(cylint_exact_mul(arena, x[i], per_size), 0));

@@ -48,9 +48,6 @@ int cylint_round_contains(cylint_query *q);
  * that stays can be 0. */
 exact cylint_leading(exact x);
 
-/* x + y of leading digits, both of one sign or 0: (x + y) (1 - e). */
-exact cylint_sum_of_sizes(cylint_arena *arena, exact x, exact y);
-
 /* Leading digits, in every floating-point environment with relative errors below
  * CYLINT_INVERSE_ERROR: 1 / sqrt(x) and sqrt(x) for x > 0, 1 / x for x other
  * than 0. */

@@ -32,16 +32,6 @@ exact cylint_leading(exact x)
     return x;
 }
 
-exact cylint_sum_of_sizes(cylint_arena *arena, exact x, exact y)
-{
-    const int higher = cylint_top_of(x) - cylint_top_of(y);
-    if (x.sign == 0 || (y.sign != 0 && higher < -LEADING_LIMBS))
-        return y;
-    if (y.sign == 0 || higher > LEADING_LIMBS)
-        return x;
-    return cylint_leading(cylint_exact_add(arena, x, y));
-}
-
 /* 2^(60 + k) / sqrt(x) with an error of at most 80, by integers, so that it is the
  * same in every rounding mode: Newton's steps y (3 - X y^2) / 2 with 30 bits after
  * the point from y = 1, and the last one, y + y e / 2, with 60. */
@@ -216,7 +206,7 @@ static exact value_of(cylint_query *q, cylint_rounded of, const surd *t,
         exact radical_term = cylint_exact_mul(arena, cylint_leading(f1), t->R);
         if (radical_term.sign != 0)
             radical_term = cylint_exact_signed(radical_term, F.sum);
-        sum = cylint_sum_of_sizes(arena, sum, radical_term);
+        sum = cylint_leading(cylint_exact_add(arena, sum, radical_term));
     }
     exact x = F.opposed ? beside : sum, y = F.opposed ? sum : beside;
     const exact u = cylint_leading(unit),
