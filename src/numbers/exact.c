@@ -117,59 +117,27 @@ exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
     return larger > 0 ? combine(arena, x, y, 1) : combine(arena, y, x, 1);
 }
 
-/* A digit of products: two limbs where these are an integer of 64 bits in memory,
- * and products of such integers have a type. */
-#if defined(__SIZEOF_INT128__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-typedef uint64_t word;
-__extension__ typedef unsigned __int128 two_words;
-#else
-typedef uint32_t word;
-typedef uint64_t two_words;
-#endif
-enum { WORD_BITS = 8 * sizeof(word), WORD_LIMBS = WORD_BITS / 32 };
-
-static word read_word(const uint32_t *limb)
+/* sum += x y, where the limb of sum above those of y is 0. */
+static void add_product(uint32_t *sum, uint32_t x, const uint32_t *y, int n)
 {
-    word x;
-    memcpy(&x, limb, sizeof x);
-    return x;
-}
-
-/* The word that begins with limb i of n; its limb number n counts as 0. */
-static word word_at(const uint32_t *limb, int i, int n)
-{
-    return i + WORD_LIMBS <= n ? read_word(limb + i) : limb[i];
-}
-
-/* sum += x y, where the word of sum above those of y is 0. */
-static void add_product(uint32_t *sum, word x, const uint32_t *y, int n)
-{
-    word carry = 0;
-    int i = 0;
-    for (; i < n; i += WORD_LIMBS) {
-        const two_words product =
-            (two_words)x * word_at(y, i, n) + carry + read_word(sum + i);
-        const word low = (word)product;
-        memcpy(sum + i, &low, sizeof low);
-        carry = (word)(product >> WORD_BITS);
+    uint64_t carry = 0;
+    for (int i = 0; i < n; i++) {
+        carry += (uint64_t)x * y[i] + sum[i];
+        sum[i] = (uint32_t)carry;
+        carry >>= 32;
     }
-    memcpy(sum + i, &carry, sizeof carry);
-}
-
-static int whole_words(int n)
-{
-    return (n + WORD_LIMBS - 1) / WORD_LIMBS * WORD_LIMBS;
+    sum[n] = (uint32_t)carry;
 }
 
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
 {
     if (x.sign == 0 || y.sign == 0)
         return cylint_exact_zero(arena);
-    const int n = whole_words(x.n) + whole_words(y.n);
+    const int n = x.n + y.n;
     uint32_t *limb = take(arena, n);
     memset(limb, 0, (size_t)n * sizeof *limb);
-    for (int i = 0; i < x.n; i += WORD_LIMBS)
-        add_product(limb + i, word_at(x.limb, i, x.n), y.limb, y.n);
+    for (int i = 0; i < x.n; i++)
+        add_product(limb + i, x.limb[i], y.limb, y.n);
     return trimmed(arena, limb, n, x.exponent + y.exponent, x.sign * y.sign);
 }
 

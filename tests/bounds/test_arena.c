@@ -65,8 +65,6 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
 {
     if (x.sign == 0 || y.sign == 0)
         return cylint_exact_zero(arena);
-    const int used = arena->used + x.n + y.n + 2; /* for whole words */
-    arena->most = larger(arena->most, used);
     return extent(arena, x.n + y.n, x.exponent + y.exponent);
 }
 
@@ -93,13 +91,14 @@ double cylint_exact_nearest(exact x, int e)
 {
     (void)x;
     (void)e;
-    return below(2) ? 1 : 1.25; /* candidates for a distance, to be compared */
+    /* candidates for a distance, to be compared; of an angle at most 1 */
+    return below(2) ? 1 : 0.75;
 }
 
 pair cylint_exact_round(cylint_arena *arena, exact x)
 {
     cylint_exact_sub(arena, x, cylint_exact_from(arena, 1));
-    return (pair){below(2) ? 1 : 0x1p-100, 0}; /* of an angle near 0, too */
+    return (pair){1, 0};
 }
 
 /* A shape of the kind and a line; their numbers have no effect here. */
