@@ -301,8 +301,8 @@ INLINE vpair pair_at(const source *from, int i)
     return (vpair){number_at(from, i), number_at(from, i + CYLINT_LOW)};
 }
 
-/* Moves z from an end, whose radius is r, to the plane in which the lateral surface of
- * a round cone touches the ball there, and r to that circle. */
+/* Moves z from an end, whose radius is r, to the plane in which the lateral surface
+ * of a round cone touches the ball there, and r to that circle. */
 INLINE void move_to_circle(vd *z, vd *r, const source *from)
 {
     *z = v_sum_of(number_at(from, CYLINT_AT_SINE), *r, *z);

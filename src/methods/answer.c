@@ -1,9 +1,9 @@
 /*
- * answer.c - a chord of an unbounded solid as a cylint_answer, as cylint_intersect()
- * writes it
+ * answer.c - writes the chord of an unbounded solid as a cylint_answer, as
+ * cylint_intersect() does
  *
- * No author defines the members of a hit.  They are computed from its point in plain
- * doubles, as cylint.h defines them.
+ * No author defines the members of a hit.  They are computed from its point in
+ * plain doubles, as cylint.h defines them.
  */
 #include "methods.h"
 

@@ -287,8 +287,8 @@
 #define CYLINT_TURN_RELATIVE 0x1p-96
 #define CYLINT_TURN_NODE 0x1.52p-97
 
-/* The relative error of an angle from exact numbers (roots/hit.c): of the pairs of a
- * node, of the inverse and of 1 / (2 pi). */
+/* The relative error of an angle from exact numbers (roots/hit.c): of the pairs of
+ * a node, of the inverse and of 1 / (2 pi). */
 #define CYLINT_ANGLE_ERROR 0x1p-100
 
 /*
