@@ -162,25 +162,16 @@ CYLINT_INLINE int use_answer(batch_job *job, size_t number,
     }
 }
 
-/* Writes the line of a number.  Returns 0 if the line is invalid. */
-static int line_of(const batch_job *job, size_t number, cylint_line *line)
-{
-    if (job->line) {
-        *line = *job->line;
-        return line->valid;
-    }
-    return cylint_read_line(job->lines, number, line) == CYLINT_OK;
-}
-
 /* One question by itself.  Returns 1 when no more are wanted. */
 static int answer_alone(batch_job *job, const cylint_shape *shape,
                         size_t number)
 {
-    cylint_line line;
+    cylint_line own;
     cylint_answer a;
-    if (!line_of(job, number, &line))
+    if (!job->line && cylint_read_line(job->lines, number, &own) != CYLINT_OK)
         return 0;
-    cylint_intersect(shape, &line, job->want | CYLINT_WANT_PART, &a);
+    cylint_intersect(shape, job->line ? job->line : &own,
+                     job->want | CYLINT_WANT_PART, &a);
     return a.relation == CYLINT_RELATION_MISS ? 0 : use_answer(job, number, &a);
 }
 

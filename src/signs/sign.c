@@ -102,7 +102,6 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
     q->ends = shape->ends;
     q->bounded_terms.ready = q->pair_terms.ready = q->exact.ready = 0;
     q->has_coefficients = 0;
-    q->whole = -1;
     cylint_reached(FILTER);
     q->filters = filters_apply(shape, line);
     q->pairs = q->filters && cylint_rounds_to_nearest();
@@ -119,19 +118,16 @@ static int are_whole(const double *x, int n)
 }
 
 /* Whether no operation on the pairs underflows (error_bounds.h). */
-static int pairs_are_whole(cylint_query *q)
+static int pairs_are_whole(const cylint_query *q)
 {
     const cylint_shape *s = q->shape;
     const cylint_line *l = q->line;
-    if (q->whole < 0)
-        q->whole = are_whole(s->library.number, CYLINT_AT_COLUMNS) &&
-                   are_whole(cylint_axis(s), CYLINT_NUMBERS - CYLINT_AT_AXIS) &&
-                   are_whole(l->o, 3) && are_whole(l->d, 3) &&
-                   are_whole(l->end, 3);
-    return q->whole;
+    return are_whole(s->library.number, CYLINT_AT_COLUMNS) &&
+           are_whole(cylint_axis(s), CYLINT_NUMBERS - CYLINT_AT_AXIS) &&
+           are_whole(l->o, 3) && are_whole(l->d, 3) && are_whole(l->end, 3);
 }
 
-int cylint_sign_of_pair(cylint_query *q, bounded_pair x)
+int cylint_sign_of_pair(const cylint_query *q, bounded_pair x)
 {
     return fabs(x.v.hi) > bounded_pair_error(x) ||
                    (x.error == 0 && pairs_are_whole(q))

@@ -19,7 +19,6 @@ typedef struct {
                        two_prod() not exact */
     terms_bounded bounded_terms;
     cylint_terms_pair pair_terms;
-    int whole; /* 1: no operation on the pairs underflows; -1: not computed */
     cylint_terms_exact exact;
     int has_coefficients;       /* these are computed: */
     exact exact_coefficient[3]; /* A, B, C */
@@ -54,7 +53,7 @@ int cylint_form_sign(cylint_query *q, cylint_form f, int end);
 
 /* The sign of a form in pairs.  It is certain also of a form that is 0, if its
  * error is 0. */
-int cylint_sign_of_pair(cylint_query *q, bounded_pair x);
+int cylint_sign_of_pair(const cylint_query *q, bounded_pair x);
 
 /* `sign`, or if that is undecided the sign of the form in exact numbers. */
 int cylint_exact_sign(cylint_query *q, cylint_form f, int end, int sign);
