@@ -11,7 +11,7 @@
 #include "shapes/local.h"
 #include "dispatch.h"
 
-/* The answer of the kernel, and that of all stages of the filter, one after the
+/* By the kernel of the shape's solid; by all stages of the filter, one after the
  * other. */
 CYLINT_INLINE int by_kernel(const cylint_shape *shape, const cylint_line *line,
                             unsigned want, cylint_answer *answer,

@@ -106,10 +106,10 @@ typedef struct {
 
 /* A question of a batch is a line and a shape, and it has a number.  All questions
  * of one cylint_filter_batch have the same solid, and either the shape or the line
- * may be the same in all.  The questions are set by the caller, who sets `lane`,
- * `first` and `end` to 0.  Of records, `list` has the numbers instead, `end` is how
- * many, and n is 0: there is no first pass.  The line is one for all, only t is
- * wanted, and both caps are present. */
+ * may be the same in all.  The caller sets the questions, and `lane`, `first` and
+ * `end` to 0.  If the shapes are records, there is no first pass: the caller writes
+ * the numbers to `list` and their count to `end`, and n is 0; the line is one for
+ * all, only t is wanted, and both caps are present. */
 typedef struct {
     const cylint_shape *shapes;   /* all, by number; or the one shape */
     const cylint_record *records; /* all, by number; or NULL: shapes */

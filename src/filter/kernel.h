@@ -138,7 +138,8 @@ INLINE vd cubic_error(const local_line *l)
 
 /* ----------------------------------------------------------- verdicts --- */
 
-/* The quadratics A t^2 + 2 B t + C of a round solid's balls, g = B^2 - A C. */
+/* The quadratics A t^2 + 2 B t + C of a round solid's balls, g = B^2 - A C;
+ * computed: whether they are set. */
 typedef struct {
     bounded_value A, B[ENDS], g[ENDS];
     int computed;
