@@ -58,7 +58,7 @@ $(BUILD)/tests/command/faulty: wrapped := $(call wrap,read write poll open close
 
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
 # replays files; in the fuzzed command the test reads and writes.
-fuzz_programs := $(patsubst %,$(BUILD)/tests/fuzz/%,record command shapes scene_file)
+fuzz_programs := $(patsubst %,$(BUILD)/tests/fuzz/%,record command shapes $(if $(FUZZER),scene_file))
 $(BUILD)/tests/fuzz/main.o: tools/cylint/main.c $(BUILD)/tests/fuzz/flags
 	$(call say,CC $<)$(compile) -Dmain=command_main -c -o $@ $<
 $(fuzz_programs): %: %.o $(BUILD)/tests/fuzz/main.o $(if $(FUZZER),,$(BUILD)/tests/fuzz/replay.o) \

@@ -8,6 +8,7 @@
 #define _DEFAULT_SOURCE 1 /* fork() with -std=c99 */
 #endif
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,6 +19,7 @@
 #include "environment.h"
 #include "answers.h"
 #include "scene_file.h"
+#include "ulps.h"
 #include "../fuzz/scene_file.c"
 
 #if defined(__unix__) || defined(__APPLE__)
@@ -535,17 +537,69 @@ TEST(more_bounded_shapes_than_there_are_are_refused)
     }
 }
 
+/* A number at a limit or next to it, any other number, or x with a change. */
+static double any_number(double x)
+{
+    static const double limits[] = {
+        0, 0x1p-1074, DBL_MIN, 0x1p-537, 0x1p-400, 0x1p-120, 0x1p-60,  0.5,
+        1, 0x1p60,    0x1p100, 0x1p200,  0x1p400,  DBL_MAX,  HUGE_VAL, NAN};
+    const double limit = limits[one_of(sizeof limits / sizeof *limits)];
+    const uint64_t bits = random_bits(&stream);
+    switch (one_of(8)) {
+    case 0:
+        memcpy(&x, &bits, sizeof x);
+        return x;
+    case 1:
+        return x * limit;
+    case 2:
+        return stepped(x, one_of(2) ? 1 : -1);
+    case 3:
+        return -x;
+    case 4:
+        return stepped(limit, one_of(2) ? 1 : -1);
+    default:
+        return one_of(2) ? limit : -limit;
+    }
+}
+
+/* In place of libFuzzer's, which is not linked here: changes bytes, copies some, or
+ * changes a number.  Once in 64 times the file becomes longer or shorter. */
+size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t most)
+{
+    const size_t bytes = (size_t)1 << one_of(8), to = below(size / bytes),
+                 from = below(size / bytes);
+    double x;
+    switch (one_of(4)) {
+    case 0:
+        data[below(size)] ^= (uint8_t)random_bits(&stream);
+        break;
+    case 1:
+        memmove(data + to * bytes, data + from * bytes, bytes);
+        break;
+    default:
+        data += below(size / 8) * 8;
+        memcpy(&x, data, sizeof x);
+        x = any_number(x);
+        memcpy(data, &x, sizeof x);
+    }
+    return one_of(64) || size + 64 > most ? size : size + 64 - 128 * below(2);
+}
+
 /* Random changes of files of all kinds and sizes, by the target for fuzzing. */
 TEST(no_changed_numbers_make_a_query_fail)
 {
     const int cases = (int)check_setting("CYLINT_CASES", 6000);
+    static uint8_t file[1 << 15];
     for (int i = 0; i < cases; i++) {
-        uint8_t input[24];
-        const int n = whole_between(6, sizeof input);
-        for (int k = 0; k < n; k++)
-            input[k] = (uint8_t)one_of(256);
-        LLVMFuzzerTestOneInput(input, (size_t)n);
+        const unsigned kind = 64 * (unsigned)below(SCENE_KINDS * 8);
+        const uint64_t bits = random_bits(&stream);
+        size_t size = LLVMFuzzerCustomMutator(file, 0, sizeof file, kind);
+        for (int k = 1 + one_of(4); k > 0; k--)
+            size = LLVMFuzzerCustomMutator(file, size, sizeof file, 1);
+        memcpy(file + CYLINT_FILE_CHECKSUM, &bits, sizeof bits);
+        LLVMFuzzerTestOneInput(file, size);
     }
+    CHECK(files_opened > cases / 4);
 }
 
 int main(void)
