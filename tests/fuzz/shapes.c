@@ -9,6 +9,7 @@
 #include <string.h>
 
 #define CHECK_OWN_MAIN /* it is in replay.c or libFuzzer */
+#include "../scene/answers.h"
 #include "columns.h"
 #include "fuzz.h"
 #include "same.h"
@@ -127,24 +128,16 @@ static cylint_columns all_columns(void)
 
 static void check_pack(const cylint_pack *pack, const cylint_line *line)
 {
+    static struct line_answers due;
     const cylint_columns columns = all_columns();
-    size_t nearest = pack->n, count = 0;
-    cylint_answer a, first = {0};
-    cylint_hit hit;
+    cylint_answer a;
     cylint_intersect_shapes(pack, line, &columns);
     for (size_t i = 0; i < pack->n; i++) {
         cylint_intersect(&pack->shapes[i], line, CYLINT_WANT_ALL, &a);
         MUST(is_column_answer(arrays, i, &a));
-        count += a.n > 0;
-        if (a.n > 0 && (nearest == pack->n || a.hit[0].t < first.hit[0].t)) {
-            nearest = i;
-            first = a;
-        }
     }
-    MUST(cylint_nearest(pack, line, CYLINT_WANT_ALL, &hit) == nearest);
-    MUST(nearest == pack->n || same_hit(&hit, &first.hit[0], CYLINT_WANT_ALL));
-    MUST(cylint_count(pack, line, 0) == count);
-    MUST(cylint_count(pack, line, 1) == (count > 0));
+    line_by_loop(pack->shapes, pack->n, line, &due);
+    MUST(pack_agrees(pack, line, CYLINT_WANT_ALL, &due));
 }
 
 /* Several copies of the line, each with a later tmin. */

@@ -11,9 +11,9 @@
 #include <stdint.h>
 
 #define CHECK_OWN_MAIN
+#include "../scene/answers.h"
 #include "check.h"
 #include "columns.h"
-#include "draw.h"
 #include "environment.h"
 #include "guarded.h"
 #include "records.h"
@@ -188,33 +188,12 @@ static void check_nearest_and_count(const struct family_case *line,
                                      CYLINT_WANT_PHI,
                                      CYLINT_WANT_T | CYLINT_WANT_NORMAL,
                                      CYLINT_WANT_ALL};
-    const int bad = check_bad;
-    size_t nearest = n, count = 0;
-    cylint_answer first = {0}, answer;
-    cylint_hit untouched;
-    memset(&untouched, GUARDED_UNTOUCHED, sizeof untouched);
-    for (size_t i = 0; i < n; i++) {
-        cylint_intersect(&cases[i].shape, &line->line, CYLINT_WANT_ALL,
-                         &answer);
-        count += answer.n > 0;
-        if (answer.n > 0 &&
-            (nearest == n || answer.hit[0].t < first.hit[0].t)) {
-            nearest = i;
-            first = answer;
-        }
-    }
+    static struct line_answers due;
     const cylint_pack pack = lay_pack(cases, n, at);
-    for (size_t m = 0; m < sizeof wants / sizeof *wants; m++) {
-        cylint_hit got = untouched;
-        CHECK(cylint_nearest(&pack, &line->line, wants[m], &got) == nearest);
-        CHECK(nearest == n ? same_bytes(&got, &untouched, sizeof got)
-                           : same_hit(&got, &first.hit[0], wants[m]));
-    }
-    for (size_t enough = 0; enough < 4; enough++)
-        CHECK(cylint_count(&pack, &line->line, enough) ==
-              (enough && count > enough ? enough : count));
-    if (check_bad > bad)
-        show(line, &cases[nearest < n ? nearest : 0]);
+    line_by_loop(pack.shapes, n, &line->line, &due);
+    for (size_t m = 0; m < sizeof wants / sizeof *wants; m++)
+        if (!CHECK(pack_agrees(&pack, &line->line, wants[m], &due)))
+            show(line, &cases[due.nearest[0] < n ? due.nearest[0] : 0]);
 }
 
 /* ---------------------------------------------------------------- input -- */

@@ -149,6 +149,29 @@ static inline void line_by_loop(const cylint_shape *shapes, size_t n,
     }
 }
 
+/* Whether a query for the nearest of n shapes, with these members, returned that of
+ * the loop.  Without one, the hit keeps its bytes. */
+static inline int is_nearest_of(size_t n, size_t number, const cylint_hit *hit,
+                                unsigned want, const struct line_answers *a)
+{
+    const cylint_hit due = with_members(&a->first[0], number < n ? want : 0);
+    return number == a->nearest[0] && same_hit(hit, &due, EVERY_WANT);
+}
+
+/* Whether the nearest shape, with these members, and counts are those of the loop. */
+static inline int pack_agrees(const cylint_pack *pack, const cylint_line *line,
+                              unsigned want, const struct line_answers *a)
+{
+    cylint_hit hit;
+    memset(&hit, UNTOUCHED, sizeof hit);
+    const size_t number = cylint_nearest(pack, line, want, &hit);
+    int same = is_nearest_of(pack->n, number, &hit, want, a);
+    for (size_t enough = 0; enough < 4; enough++)
+        same &= cylint_count(pack, line, enough) ==
+                (enough && enough < a->hit.n ? enough : a->hit.n);
+    return same;
+}
+
 static inline double take_hit(void *context, size_t number,
                               const cylint_hit *hit)
 {

@@ -87,16 +87,6 @@ static void expect(int holds, int i, size_t j, const char *path, unsigned want)
         failed(i, j, path, want);
 }
 
-/* Of line i: the number of the nearest shape, and the hit. */
-static void expect_nearest(size_t got, const cylint_hit *hit, int i,
-                           const char *path, unsigned want)
-{
-    const size_t near = g.due[i].nearest[0];
-    expect(got == near &&
-               (near == GROUP || same_hit(hit, &g.due[i].first[0], want)),
-           i, near % GROUP, path, want);
-}
-
 /* ------------------------------------------------------------ the paths -- */
 
 static unsigned any_want(void)
@@ -202,14 +192,8 @@ static void nearest_of_a_pack(int i)
 {
     const cylint_pack pack = pack_all();
     const unsigned want = any_want();
-    const size_t hits = g.due[i].hit.n;
-    cylint_hit hit;
-    const size_t got = cylint_nearest(&pack, &g.c[i].line, want, &hit);
-    expect_nearest(got, &hit, i, "nearest of a pack", want);
-    for (size_t enough = 0; enough < 4; enough++)
-        expect(cylint_count(&pack, &g.c[i].line, enough) ==
-                   (enough && enough < hits ? enough : hits),
-               i, (size_t)i, "count of a pack", 0);
+    expect(pack_agrees(&pack, &g.c[i].line, want, &g.due[i]), i,
+           g.due[i].nearest[0] % GROUP, "nearest or count of a pack", want);
 }
 
 static void queries_of_a_scene(int i)
@@ -217,8 +201,10 @@ static void queries_of_a_scene(int i)
     static struct line_answers got;
     const unsigned want = any_want();
     cylint_hit hit;
+    memset(&hit, UNTOUCHED, sizeof hit);
     const size_t near = cylint_scene_nearest(g.scene, &g.c[i].line, want, &hit);
-    expect_nearest(near, &hit, i, "nearest of a scene", want);
+    expect(is_nearest_of(GROUP, near, &hit, want, &g.due[i]), i, near % GROUP,
+           "nearest of a scene", want);
     line_in_scene(g.scene, &g.c[i].line, &got);
     expect(same_line_answers(&got, &g.due[i]), i, (size_t)i, "a scene", 0);
 }
