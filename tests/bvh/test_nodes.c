@@ -272,7 +272,7 @@ TEST(the_first_refused_shape_is_reported)
 
 /* ------------------------------------------------------------- progress -- */
 
-/* What a progress function saw. */
+/* The calls of a progress function so far. */
 struct progress {
     pthread_t caller;
     long calls, stop; /* the call that stops the build, from 1; 0: none */

@@ -19,7 +19,7 @@
 
 /* -------------------------------------------------------------- device -- */
 
-/* What the device's memory monitor saw. */
+/* What the device's memory monitor counts. */
 static struct {
     long long bytes; /* in use now */
     int requests;    /* allocations, including the refused one */

@@ -133,7 +133,7 @@ static int same_floats(const float f[CYLINT_HIT_FLOATS], const cylint_hit *hit)
 struct filter_call {
     struct filter_case cases[MOST];
     struct family_case from[MOST];
-    cylint_float_filter_question *asked[MOST];
+    cylint_float_filter_question *question[MOST];
     int n;
 };
 
@@ -161,9 +161,9 @@ static void gather(struct filter_call *c, int family, int other,
         if (from->shape_word > last || !circular(from, *i) ||
             !make_case(x, &from->shape, from->line.o, from->line.d, *i))
             continue;
-        c->asked[n] = &x->q;
-        x->q.exit_only = c->asked[0]->exit_only;
-        x->q.describes = c->asked[0]->describes;
+        c->question[n] = &x->q;
+        x->q.exit_only = c->question[0]->exit_only;
+        x->q.describes = c->question[0]->describes;
         c->n++;
     }
 }
@@ -198,8 +198,8 @@ static int is_right(const struct filter_case *x, struct tally *tally)
 }
 
 /* The number of questions in a call is 1 to build->most in turn. */
-static struct tally ask_families(const struct build *build, int family,
-                                 int other, family_shape last)
+static struct tally answer_families(const struct build *build, int family,
+                                    int other, family_shape last)
 {
     struct tally tally = {0, 0};
     int most = 1;
@@ -208,10 +208,10 @@ static struct tally ask_families(const struct build *build, int family,
         gather(&c, family, other, last, &i, most);
         if (c.n == 0)
             continue;
-        build->answer(c.asked, c.n);
+        build->answer(c.question, c.n);
         for (int k = 0; k < c.n; k++)
             if (!CHECK(is_right(&c.cases[k], &tally))) {
-                const cylint_float_filter_question *q = c.asked[k];
+                const cylint_float_filter_question *q = c.question[k];
                 REPORT("%s, %d of %d, %d; in floats, near %a, from %a:",
                        build->name, k, c.n, (int)q->is, q->near, q->line.tmin);
                 REPORT_CASE(&c.from[k]);
@@ -228,7 +228,7 @@ TEST(certain_answers_are_the_librarys)
         for (int family = 0; family < family_count(); family++) {
             if (family_is_round(family) != round)
                 continue;
-            const struct tally t = ask_families(
+            const struct tally t = answer_families(
                 &build, family, family, round ? FAMILY_RCONE : FAMILY_ACONE);
             sum.hits += t.hits;
             sum.certain += t.certain;
@@ -243,7 +243,7 @@ TEST(round_shapes_and_others_are_answered_together)
 {
     const int family = family_named("ordinary"), round = family_named("round");
     EACH_BUILD(build)
-    ask_families(&build, family, round, FAMILY_RCONE);
+    answer_families(&build, family, round, FAMILY_RCONE);
 }
 
 /* The rest of round shapes are balls of which one holds the other, and shapes of
@@ -260,7 +260,7 @@ TEST(ordinary_shapes_are_certain)
         const int family = family_named(ordinary[i].name);
         const struct build one = build_in_use(0);
         const struct tally t =
-            ask_families(&one, family, family, ordinary[i].last);
+            answer_families(&one, family, family, ordinary[i].last);
         if (!CHECK(t.hits > CASES / 20 &&
                    (double)t.certain >= ordinary[i].least * (double)t.hits))
             REPORT("%s: %ld of %ld hits", ordinary[i].name, t.certain, t.hits);

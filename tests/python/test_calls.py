@@ -24,7 +24,7 @@ BIG = 200_000
 def test_threads_make_no_difference():
     shapes, (o, d), hard = forest(500, 31), rays(20_000, 32), drawn(20_000, 32)
     scene, points = cylint.Scene(shapes, threads=1), o[:2000]
-    for ask, *members in (
+    for call, *members in (
         (lambda t: scene.nearest(o, d, threads=t), "index", "t"),
         (lambda t: cylint.intersect(shapes[:40, None], *hard, threads=t), "t", "n"),
         (lambda t: scene.all(o, d, threads=t), "line", "index", "t"),
@@ -32,21 +32,21 @@ def test_threads_make_no_difference():
         (lambda t: scene.within(points, 0.05, threads=t), "point", "index", "distance"),
         (lambda t: shapes[:9, None].distance(o, threads=t), "T"),
     ):
-        one = ask(1)
+        one = call(1)
         assert np.isfinite(getattr(one, members[-1])).any()
         for threads in (2, 3, 8):
-            assert equal(one, ask(threads), *members)
+            assert equal(one, call(threads), *members)
 
 
 def test_threads_are_a_whole_number():
-    ask, line = cylint.Scene(ROD).any, ([0, 0, 0], [0, 0, 1])
+    call, line = cylint.Scene(ROD).any, ([0, 0, 0], [0, 0, 1])
     with refused("threads: expected at least 1, found 0"):
-        ask(*line, threads=0)
+        call(*line, threads=0)
     for wrong in (1.5, "2", [1]):
         with refused("threads: expected an integer", TypeError):
-            ask(*line, threads=wrong)
+            call(*line, threads=wrong)
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    assert ask(*line, threads=np.int16(2)) and ask(*line, threads=2**70)
+    assert call(*line, threads=np.int16(2)) and call(*line, threads=2**70)
     after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     assert after - before < 10_000  # kB: nothing for threads without work
 
@@ -56,10 +56,10 @@ def test_threads_of_python_share_a_scene():
     o, d = rays(100_000, 34)
     want, got = scene.nearest(o, d).index, [None] * 4
 
-    def ask(i):
+    def call(i):
         got[i] = scene.nearest(o, d, threads=1).index
 
-    threads = [threading.Thread(target=ask, args=(i,)) for i in range(4)]
+    threads = [threading.Thread(target=call, args=(i,)) for i in range(4)]
     for thread in threads:
         thread.start()
     for thread in threads:
@@ -154,9 +154,9 @@ def scene_and_lines():
 def test_progress_grows_to_the_total():
     shapes, (scene, o, d) = sticks(300_000, 63), scene_and_lines()
     for total, call in (
-        (300_000, lambda tell: cylint.Scene(shapes, threads=1, progress=tell)),
-        (200_000, lambda tell: scene.count(o, d, threads=1, progress=tell)),
-        (1, lambda tell: cylint.Scene(ROD, progress=tell)),
+        (300_000, lambda report: cylint.Scene(shapes, threads=1, progress=report)),
+        (200_000, lambda report: scene.count(o, d, threads=1, progress=report)),
+        (1, lambda report: cylint.Scene(ROD, progress=report)),
     ):
         calls = []
         call(lambda *a: calls.append(a))
@@ -248,7 +248,7 @@ def test_arrays_are_not_copied():
     scene.nearest(o[0], d[0]), cylint.intersect(ROD, o[0], d[0])  # import what they need
     tracemalloc.start()
     try:
-        for ask, answer in (
+        for call, answer in (
             (lambda: cylint.intersect(ROD, o, d), 20 + 48),
             (lambda: cylint.intersect(ROD, o[::-1, ::-1], d[:1]), 20 + 24),
             (lambda: scene.nearest(o, d), 17 + 8 + 48),
@@ -267,7 +267,7 @@ def test_arrays_are_not_copied():
         ):
             tracemalloc.reset_peak()
             before = tracemalloc.get_traced_memory()[0]
-            ask()
+            call()
             peak = tracemalloc.get_traced_memory()[1] - before
             assert peak < answer * BIG + 100_000
     finally:

@@ -123,11 +123,11 @@ def layouts():
 def test_every_layout_has_the_answers_of_single_questions(name):
     arrays = given()
 
-    def asked(shapes, j, views):
+    def answers(shapes, j, views):
         some = {k: view(arrays[k][j]) for k, view in zip(arrays, views, strict=False)}
         return values(*ALL[name](shapes, SimpleNamespace(**some)))
 
-    singly = [[asked(shape, j, PLAIN) for j in range(70)] for shape in KINDS]
+    singly = [[answers(shape, j, PLAIN) for j in range(70)] for shape in KINDS]
     want = [
         np.array([[answer[k] for answer in row] for row in singly])
         for k in range(len(singly[0][0]))
@@ -140,13 +140,13 @@ def test_every_layout_has_the_answers_of_single_questions(name):
             shapes = KINDS[i]
             if views[0] is spread and np.ndim(i) > 0:
                 shapes = KINDS[np.repeat(i, 2, axis=0)][::2]
-            for found, column in zip(asked(shapes, j, views), want, strict=True):
+            for found, column in zip(answers(shapes, j, views), want, strict=True):
                 right = column[i, j]
                 assert found.dtype == right.dtype and found.shape == right.shape
                 assert found.tobytes() == right.tobytes(), (views[0], i, j)
 
 
-LATER = [name for name, ask in ALL.items() if len(ask(KINDS[0], SimpleNamespace(**given()))) > 1]
+LATER = [name for name, call in ALL.items() if len(call(KINDS[0], SimpleNamespace(**given()))) > 1]
 
 
 def read_only(array):
@@ -165,11 +165,11 @@ def test_answers_and_their_copies_own_what_they_need(name):
     may change though it is read-only."""
     arrays = given()
 
-    def asked(view):
+    def answers(view):
         views = SimpleNamespace(**{key: view(array) for key, array in arrays.items()})
         return ALL[name](KINDS[:, None], views)
 
-    (want, *names), *others = map(asked, (np.asarray, read_only, memoryview, forth_and_back))
+    (want, *names), *others = map(answers, (np.asarray, read_only, memoryview, forth_and_back))
     right = values(want, *names)
     assert want.point is want.point
     fixed, buffer, answer = (other[0] for other in others)

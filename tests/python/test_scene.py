@@ -36,7 +36,7 @@ def test_more_shapes_at_one_line_or_point_than_a_buffer_holds(n):
 def test_answers_are_in_the_order_of_lines_and_points(n, axis):
     scene, (o, d) = cylint.Scene(forest(50, 71)), rays(n, 72)
 
-    def asked(o, d, x):
+    def answers(o, d, x):
         near = scene.nearest(o, d, tmax=4 * x)
         yield near.index.reshape(-1), near.t.reshape(-1)
         yield from (scene.within(o, x), scene.all(o, d, tmax=4 * x))
@@ -46,7 +46,7 @@ def test_answers_are_in_the_order_of_lines_and_points(n, axis):
     x = np.expand_dims([0.25, 0.5], 1 - axis)
     wide = [np.repeat(a, 2, axis) for a in (o, d)]
     flat = [a.reshape(-1, 3) for a in wide] + [np.repeat(x, n, 1 - axis).reshape(-1)]
-    for table, row in zip(asked(wide[0], d, x), asked(*flat), strict=True):
+    for table, row in zip(answers(wide[0], d, x), answers(*flat), strict=True):
         assert len(table[0]) > n / 8
         assert all(same(a, b) for a, b in zip(table, row, strict=True))
 
@@ -170,9 +170,9 @@ def test_refused_lines_hit_nothing_on_request():
     scene = cylint.Scene(ball)
     d = [[1, 0, 0], [np.nan, 0, 0], [0, 0, 0], [1, 0, 0]]
     lines = {"origins": [-3, 0, 0], "directions": d, "tmin": [0, 0, 0, np.inf]}
-    for ask in (scene.nearest, functools.partial(cylint.intersect, ball)):
+    for call in (scene.nearest, functools.partial(cylint.intersect, ball)):
         with refused("line 1: a number is not finite"):
-            ask(**lines)
+            call(**lines)
     lines["errors"] = "mask"
     hit = cylint.intersect(ball, **lines)
     assert [cylint.Relation(r).name for r in hit.relation] == ["CROSS", "NONE", "NONE", "CROSS"]

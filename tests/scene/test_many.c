@@ -101,7 +101,7 @@ static struct {
     const size_t *except;
     const double *radii;
     size_t enough;
-} asked;
+} given;
 
 /* Of one line or point, into element i of `expected`; of the first n, into the
  * arrays of `mask`, all of which are `arrays`. */
@@ -116,20 +116,20 @@ static cylint_line line_now(size_t i)
     cylint_line line;
     const double o[3] = {input[0][i], input[1][i], input[2][i]};
     const double d[3] = {input[3][i], input[4][i], input[5][i]};
-    cylint_span(&line, o, d, asked.domain ? input[6][i] : 0,
-                asked.domain ? input[7][i] : HUGE_VAL);
+    cylint_span(&line, o, d, given.domain ? input[6][i] : 0,
+                given.domain ? input[7][i] : HUGE_VAL);
     return line;
 }
 
 static cylint_lines lines_now(size_t n)
 {
-    return lines_of(array, n, asked.domain ? 3 : 0);
+    return lines_of(array, n, given.domain ? 3 : 0);
 }
 
 static void expect(size_t i, size_t number, int part, int other,
                    const double *value)
 {
-    const int is = number < cylint_scene_size(asked.scene);
+    const int is = number < cylint_scene_size(given.scene);
     expected.number[i] = number;
     expected.small[0][i] = (signed char)(is ? part : -1);
     expected.small[1][i] = (signed char)(is ? other : -1);
@@ -142,10 +142,10 @@ static void nearest_of_one(size_t i)
     const cylint_line line = line_now(i);
     cylint_hit h;
     const size_t number =
-        asked.except
-            ? cylint_scene_nearest_other(asked.scene, &line, asked.except[i],
+        given.except
+            ? cylint_scene_nearest_other(given.scene, &line, given.except[i],
                                          CYLINT_WANT_ALL, &h)
-            : cylint_scene_nearest(asked.scene, &line, CYLINT_WANT_ALL, &h);
+            : cylint_scene_nearest(given.scene, &line, CYLINT_WANT_ALL, &h);
     const double value[NUMBERS] = {h.t,         h.point[0],  h.point[1],
                                    h.point[2],  h.normal[0], h.normal[1],
                                    h.normal[2], h.z,         h.phi};
@@ -170,7 +170,7 @@ static void nearest_of_many(size_t n, int threads, unsigned mask)
 {
     const cylint_lines lines = lines_now(n);
     const cylint_hit_columns hits = columns_now(mask);
-    cylint_scene_nearest_lines(asked.scene, &lines, asked.except, threads,
+    cylint_scene_nearest_lines(given.scene, &lines, given.except, threads,
                                mask & 1 ? found.number : NULL,
                                mask == 1 ? NULL : &hits);
 }
@@ -178,17 +178,17 @@ static void nearest_of_many(size_t n, int threads, unsigned mask)
 static void count_of_one(size_t i)
 {
     const cylint_line line = line_now(i);
-    expected.number[i] = cylint_scene_count(asked.scene, &line, asked.enough);
+    expected.number[i] = cylint_scene_count(given.scene, &line, given.enough);
     expected.small[0][i] = (signed char)cylint_scene_occluded(
-        asked.scene, &line, asked.except ? asked.except[i] : SIZE_MAX);
+        given.scene, &line, given.except ? given.except[i] : SIZE_MAX);
 }
 
 static void count_of_many(size_t n, int threads, unsigned mask)
 {
     const cylint_lines lines = lines_now(n);
-    cylint_scene_count_lines(asked.scene, &lines, asked.enough, threads,
+    cylint_scene_count_lines(given.scene, &lines, given.enough, threads,
                              mask & 1 ? found.number : NULL);
-    cylint_scene_any_lines(asked.scene, &lines, asked.except, threads,
+    cylint_scene_any_lines(given.scene, &lines, given.except, threads,
                            mask & 2 ? found.small[0] : NULL);
 }
 
@@ -197,7 +197,7 @@ static void closest_of_one(size_t i)
     const double point[3] = {input[0][i], input[1][i], input[2][i]};
     cylint_closest c;
     const size_t number = cylint_scene_closest(
-        asked.scene, point, asked.radii ? asked.radii[i] : HUGE_VAL,
+        given.scene, point, given.radii ? given.radii[i] : HUGE_VAL,
         CYLINT_WANT_ALL, &c);
     const double value[NUMBERS] = {c.distance, c.point[0],  c.point[1],
                                    c.point[2], c.normal[0], c.normal[1],
@@ -215,7 +215,7 @@ static void closest_of_many(size_t n, int threads, unsigned mask)
         .feature = to.side,
         .point = {to.point[0], to.point[1], to.point[2]},
         .normal = {to.normal[0], to.normal[1], to.normal[2]}};
-    cylint_scene_closest_points(asked.scene, &points, asked.radii, threads,
+    cylint_scene_closest_points(given.scene, &points, given.radii, threads,
                                 mask & 1 ? found.number : NULL,
                                 mask == 1 ? NULL : &columns);
 }
@@ -268,22 +268,22 @@ static void check_scene(enum scene_kind kind, const query *q)
     OWN_SCENE *scene = cylint_scene_new(of.shapes, of.n, 1, NULL);
     OWN_SCENE *empty = cylint_scene_new(NULL, 0, 1, NULL);
     (q == &closest ? fill_points : fill_lines)(&of);
-    memset(&asked, 0, sizeof asked);
-    asked.scene = empty;
+    memset(&given, 0, sizeof given);
+    given.scene = empty;
     check_query(q);
-    asked.scene = scene;
+    given.scene = scene;
     check_query(q);
     size_t hits = 0;
-    asked.domain = 1;
+    given.domain = 1;
     for (size_t i = 0; i < MOST && q != &closest; i++)
         nearest_of_one(i);
     for (size_t i = 0; i < MOST; i++)
         hits += expected.number[i] < SHAPES;
     CHECK(hits > MOST / 10 && hits < MOST);
     leave_out_nearest();
-    asked.except = except;
-    asked.radii = radii;
-    asked.enough = 3;
+    given.except = except;
+    given.radii = radii;
+    given.enough = 3;
     check_query(q);
 }
 

@@ -266,7 +266,7 @@ TEST(an_invalid_line_or_point_is_in_no_solid)
 TEST(pieces_are_the_same_in_every_environment)
 {
     static world_answers expected, got;
-    cylint_line asked;
+    cylint_line scaled;
     long subnormal_ends = 0;
     stream = 3;
     for (int i = 0; i < 400; i++) {
@@ -279,11 +279,11 @@ TEST(pieces_are_the_same_in_every_environment)
         const cylint_line line = any_line();
         const double d[3] = {line.d[0] * size, line.d[1] * size,
                              line.d[2] * size};
-        cylint_span(&asked, line.o, d, line.tmin / size, line.tmax / size);
-        answer_all(world.scene, &asked, &expected);
+        cylint_span(&scaled, line.o, d, line.tmin / size, line.tmax / size);
+        answer_all(world.scene, &scaled, &expected);
         EACH_ENVIRONMENT(there) {
             environment_set(there);
-            answer_all(world.scene, &asked, &got);
+            answer_all(world.scene, &scaled, &got);
             environment_reset();
             CHECK(same_bytes(&expected, &got, sizeof got));
         }

@@ -432,7 +432,7 @@ TEST(the_nearest_surface_may_lie_inside_another_shape)
     CHECK(cylint_scene_contains(scene, p, 0) == 1);
 }
 
-/* A visit that ends after some calls, or asks for less than before. */
+/* A visit that ends after some calls, or returns a bound below the one before. */
 struct visit {
     struct found seen;
     double bound;

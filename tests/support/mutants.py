@@ -35,7 +35,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from reasons import beside_lines, sources, without_comments
 
-# The folders whose files are changed, and the files there of which no test sees a
+# The folders whose files are changed, and files there of which no test detects a
 # change.
 CORE = ("src", "src/bvh", "src/distance", "src/filter", "src/methods", "src/numbers",
         "src/roots", "src/scene", "src/shapes", "src/signs")
