@@ -164,11 +164,13 @@ static void over_families(int wild)
             if (is_finite3(a.hit[k].point))
                 from_hit(&c, &a.hit[k]);
     }
-    for (int i = 0; i < 2; i++)
+    for (int i = 0; i < 2; i++) {
         printf("note: %s %ld points, none for %ld, %ld rays; moved by up to "
                "%.3g ulp\n",
                i ? "inside " : "outside", tally[i].points, tally[i].none,
                tally[i].rays, tally[i].moved);
+        CHECK(tally[i].rays >= (long)(wild ? cases / 10 : cases));
+    }
 }
 
 TEST(rays_leave_the_solid_or_stay_in_it)
