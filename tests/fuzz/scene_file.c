@@ -67,15 +67,15 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most,
  * most of the time of points, so that one file in two has none. */
 static void query(const cylint_scene *scene, uint64_t bits, size_t size)
 {
+    static const int what[4] = {SCENE_FILE_LINE, SCENE_FILE_LINE,
+                                SCENE_FILE_POINT,
+                                SCENE_FILE_LINE | SCENE_FILE_POINT};
     const size_t n = cylint_scene_size(scene);
-    const unsigned what = bits % 4;
-    const int side = (int)(bits / 4 % SCENE_FILE_SIDES);
     scene_file_read_labels(scene);
-    if (n > 0 && what != 2)
-        scene_file_query_line_at(scene, bits / 16 % n, side);
-    if (n > 0 && what >= 2)
-        scene_file_query_point_at(scene, bits / 16 % n, side);
-    if (what == 3)
+    if (n > 0)
+        scene_file_query_at(scene, bits / 16 % n,
+                            (int)(bits / 4 % SCENE_FILE_SIDES), what[bits % 4]);
+    if (bits % 4 == 3)
         scene_file_save_again(scene, size);
 }
 

@@ -216,39 +216,30 @@ static inline void scene_file_query_point(const cylint_scene *scene,
 
 enum { SCENE_FILE_SIDES = 3 };
 
-/* Writes a line from one of the sides to the shape; its origin lies about the
- * shape. */
-static inline cylint_status scene_file_line(const cylint_scene *scene,
-                                            size_t number, int side,
-                                            cylint_line *line)
+enum { SCENE_FILE_LINE = 1, SCENE_FILE_POINT = 2 };
+
+/* Queries the line from one of the sides to the shape, its origin, or both.  The
+ * origin lies about the shape. */
+static inline void scene_file_query_at(const cylint_scene *scene, size_t number,
+                                       int side, int what)
 {
     static const double d[SCENE_FILE_SIDES][3] = {
         {1, 0, 0}, {0.25, -1, 0.5}, {-3, 2, 1}};
     double lo[3], hi[3], o[3];
     cylint_shape shape;
+    cylint_line line;
     cylint_scene_shape(scene, number, &shape);
     cylint_bounds(&shape, lo, hi);
     for (int j = 0; j < 3; j++)
         o[j] = (lo[j] > -1e300 && hi[j] < 1e300 ? lo[j] / 2 + hi[j] / 2 : 0) -
                side * d[side][j];
-    return cylint_whole_line(line, o, d[side]);
-}
-
-static inline void scene_file_query_line_at(const cylint_scene *scene,
-                                            size_t number, int side)
-{
-    cylint_line line;
-    if (scene_file_line(scene, number, side, &line) == CYLINT_OK)
+    if (cylint_whole_line(&line, o, d[side]) != CYLINT_OK)
+        return;
+    if (what & SCENE_FILE_LINE) {
         scene_file_query_line(scene, &line, number);
-    if (line.valid)
         scene_file_query_pieces(scene, &line);
-}
-
-static inline void scene_file_query_point_at(const cylint_scene *scene,
-                                             size_t number, int side)
-{
-    cylint_line line;
-    if (scene_file_line(scene, number, side, &line) == CYLINT_OK)
+    }
+    if (what & SCENE_FILE_POINT)
         scene_file_query_point(scene, line.o);
 }
 
@@ -289,10 +280,9 @@ static inline cylint_scene_status scene_file_try(const void *data, size_t bytes)
     const size_t n = cylint_scene_size(scene);
     scene_file_read_labels(scene);
     for (size_t i = 0; i < n; i += n / 4 + 1)
-        for (int side = 0; side < SCENE_FILE_SIDES; side++) {
-            scene_file_query_line_at(scene, i, side);
-            scene_file_query_point_at(scene, i, side);
-        }
+        for (int side = 0; side < SCENE_FILE_SIDES; side++)
+            scene_file_query_at(scene, i, side,
+                                SCENE_FILE_LINE | SCENE_FILE_POINT);
     scene_file_save_again(scene, bytes);
     cylint_scene_free(scene);
     return status;
