@@ -36,7 +36,7 @@ fi
 python=${BUILD:-build}/python
 ls -d "$python"/lib/python3*/site-packages/gemmi >/dev/null 2>&1 ||
     { python3 -m venv "$python" && "$python/bin/pip" install -q \
-        'scikit-build-core>=1.0' 'nanobind>=2.4' cmake ninja numpy gemmi pytest hypothesis; } ||
+        'scikit-build-core>=1.0' 'nanobind>=2.4' cmake ninja numpy gemmi pytest; } ||
     { rm -rf "$python" && echo 'deps: the Python package will not be tested' >&2; }
 
 spark=${BUILD:-build}/spark
