@@ -1,9 +1,9 @@
 /*
  * scene_file.c - fuzzes files of scenes
  *
- * An input is such a file, which is opened and queried.  Of seven files in eight the
- * checksum is made right before.  libFuzzer changes bytes; the first input, and some
- * others, is the file of a scene of scenes.h.
+ * An input is such a file, which is opened and queried.  Of seven files in eight
+ * the checksum is made right before.  libFuzzer changes bytes; the first input, and
+ * some others, is the file of a scene of scenes.h.
  */
 #include <math.h>
 #include <string.h>

@@ -158,7 +158,7 @@ static inline int is_nearest_of(size_t n, size_t number, const cylint_hit *hit,
     return number == a->nearest[0] && same_hit(hit, &due, EVERY_WANT);
 }
 
-/* Whether the nearest shape, with these members, and counts are those of the loop. */
+/* Whether the nearest shape, with these members, and counts are the loop's. */
 static inline int pack_agrees(const cylint_pack *pack, const cylint_line *line,
                               unsigned want, const struct line_answers *a)
 {
