@@ -186,7 +186,7 @@ version = $(shell sed -n 's/^.define CYLINT_VERSION "\(.*\)"/\1/p' include/cylin
 major   = $(firstword $(subst ., ,$(version)))
 
 # libcylint-embree (for Embree 4: libcylint-embree4) holds all of
-# libcylint-scene: a program needs one of them.
+# libcylint-scene: a program that links the first needs no second.
 threads_link := $(if $(PTHREAD),-pthread)
 adapter      := libcylint-embree$(filter-out 3,$(EMBREE))
 libraries    := libcylint libcylint-scene $(if $(EMBREE),$(adapter))

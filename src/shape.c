@@ -80,8 +80,8 @@ static void write_shape(cylint_shape *shape, int kind, int ends,
     CYLINT_OF_FMA(cylint_measure_local)(shape);
 }
 
-/* Checks and writes a shape.  In cylint_kind a tapered kind stands next after the
- * kind that it has where its radii are equal. */
+/* Checks and writes a shape.  cylint_kind lists a tapered kind right after the kind
+ * for equal radii. */
 CYLINT_INLINE cylint_status construct(cylint_shape *shape, int kind,
                                       cylint_ends ends, const double p0[3],
                                       double r0, const double p1[3], double r1,

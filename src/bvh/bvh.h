@@ -71,7 +71,7 @@ void cylint_bvh_free(cylint_bvh *bvh);
  * Shapes [first, first + n) have moved, within the box of the hierarchy.  Their
  * slices stay in their lanes; leaves that contain one, and the nodes above these,
  * are bounded again.  No box is larger than a new build over the same leaves would
- * make it, but for one step of a node's faces.
+ * make it, but for up to two steps of the faces of each node below.
  *
  * extents: memory for one of each leaf and node.  Returns the box of all shapes, if
  * any of them has moved.

@@ -42,10 +42,11 @@ size_t cylint_list_near(const cylint_view *view, size_t n,
                         uint32_t *number, cylint_shapes_box *box);
 
 /* Builds a hierarchy of all shapes of the input and, if a few are distant, again
- * without them: its box is that of all.  number: memory for input->n numbers.
- * Returns what cylint_bvh_build() returns. */
+ * without them.  *all: the box of all.  number: memory for input->n numbers, not
+ * used afterwards.  Returns what cylint_bvh_build() returns. */
 cylint_bvh_status cylint_bvh_build_near(cylint_bvh *bvh,
                                         const cylint_bvh_input *input,
-                                        uint32_t *number, size_t *refused);
+                                        uint32_t *number, size_t *refused,
+                                        cylint_extent *all);
 
 #endif

@@ -73,7 +73,7 @@ static void write_bounds(const struct RTCBoundsFunctionArguments *args)
     const cylint_embree_data *data = args->geometryUserPtr;
     const double most = (double)CYLINT_EXTENT_LIMIT * (1 - 0x1p-23);
     const int moves = data->options.moved != NULL;
-    cylint_extent box = data->bvh.box;
+    cylint_extent box = data->box;
     if (!data->traversal) {
         cylint_shape shape[2];
         for (int i = 0; i <= moves; i++)
@@ -131,7 +131,7 @@ static int check_arrays(const cylint_embree_data *data,
 static int check_shapes(cylint_embree_data *data,
                         cylint_embree_problem *problem)
 {
-    cylint_extent *all = &data->bvh.box;
+    cylint_extent *all = &data->box;
     const int moves = data->options.moved != NULL;
     *all = cylint_extent_empty();
     for (size_t i = 0; i < data->n; i++) {
@@ -179,7 +179,7 @@ static int build_bvh(cylint_embree_data *data, const cylint_bvh_input *input,
                                 data->is_merged ? 3 * bytes : 2 * bytes))
         return report(problem, CYLINT_EMBREE_EMEMORY, 0);
     const cylint_bvh_status status = cylint_bvh_build_near(
-        &data->bvh, input, data->order_memory.data, &shape);
+        &data->bvh, input, data->order_memory.data, &shape, &data->box);
     if (status == CYLINT_BVH_OK && data->n > 0)
         rank_by_leaves(data);
     return report(problem,
@@ -242,7 +242,7 @@ static int load_geometry(RTCGeometry geometry, cylint_embree_data *data,
             rtcSetGeometryInstancedScene(geometry, NULL);
         return status;
     }
-    next.pad = box_pad(&next.bvh.box, data->traversal ? FAR_SIZES : NEAR_SIZES);
+    next.pad = box_pad(&next.box, data->traversal ? FAR_SIZES : NEAR_SIZES);
     free_state(data);
     *data = next;
     rtcSetGeometryUserPrimitiveCount(

@@ -71,8 +71,9 @@ typedef struct cylint_embree_data {
     const cylint_traversal *traversal; /* NULL: each shape is a primitive */
     cylint_float_filter *filter[2];    /* for one question, and for several */
     cylint_packet_trace *trace_packet;
-    double pad;     /* added to each side of Embree's boxes: box_pad() */
-    cylint_bvh bvh; /* its box is that of all shapes, with or without nodes */
+    cylint_extent box; /* of all shapes */
+    double pad;        /* added to each side of Embree's boxes: box_pad() */
+    cylint_bvh bvh;
     /* Leaves name shapes by rank, in the order in which leaves first name
      * them; `shapes` have the same order.  Without leaves, ranks are numbers.
      * The shapes from rank n_in_leaves on are beside the hierarchy. */

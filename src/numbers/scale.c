@@ -1,7 +1,8 @@
 /*
  * scale.c - scaling by powers of two, exact differences, the largest of three
  *
- * Apart from exact.c, which tests/bounds/test_arena.c replaces.
+ * These functions are not in exact.c because tests/bounds/test_arena.c replaces
+ * that file.
  */
 #include "bits.h"
 #include "exact.h"

@@ -30,8 +30,9 @@ static void write_unit_vector(cylint_arena *arena, const exact x[3],
 
 /* ------------------------------------------------------------ angles --- */
 
-/* atan(q) / (2 pi), leading digits: q - q^3 / 3 + q^5 / 5 - ..., times the common
- * multiple of the divisors; the first term left out is below 2^-111 of q. */
+/* atan(q) / (2 pi), leading digits, for |q| < 2^-6: q - q^3 / 3 + q^5 / 5 - ...
+ * The sum is MULTIPLE times as large, so that the divisors are whole numbers;
+ * `scale` divides by it.  The first term left out is below 2^-111 of q. */
 static exact angle_of_tangent(cylint_arena *arena, exact q)
 {
     enum { MULTIPLE = 5 * 7 * 9 * 11 * 13 * 17 };

@@ -42,7 +42,7 @@
 typedef enum { FILE_ARRAYS(NAME) SECTIONS } section;
 #undef NAME
 
-enum { FILE_VERSION = 1, FILE_BLOCK = 64, HEADER_BYTES = 512 };
+enum { FILE_VERSION = 2, FILE_BLOCK = 64, HEADER_BYTES = 512 };
 
 /* The bytes of this number are all different. */
 #define FILE_ORDER 0x1.23456789abcdep+7
@@ -386,7 +386,8 @@ static cylint_scene_status read_file(cylint_memory *m, FILE *file)
     for (;;) {
         bytes += fread((char *)m->data + bytes, 1, m->bytes - bytes, file);
         if (bytes < m->bytes ||
-            memcmp(m->data, file_magic, sizeof file_magic) != 0)
+            (bytes >= sizeof file_magic &&
+             memcmp(m->data, file_magic, sizeof file_magic) != 0))
             break;
         if (m->bytes > PTRDIFF_MAX / 2 ||
             !cylint_memory_resize(m, NULL, 2 * m->bytes))

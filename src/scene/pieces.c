@@ -123,7 +123,7 @@ static double end_of_last_piece(const collector *c)
     return c->unites ? end_of_united(c) : end_of_cell(c);
 }
 
-/* More chords than this are not kept sorted as they come. */
+/* More chords are not kept sorted as they come: that would take too long. */
 enum { SORTED_CHORDS = 64 };
 
 /* Later chords can join two pieces, and so move the end of the last piece: the
@@ -187,8 +187,9 @@ typedef struct {
     int32_t *holding;
     numbered_chord *chord;
     size_t n;
-    uint32_t number;         /* of the solid of a sweep */
-    uint32_t late;           /* the shape of the last late member ... */
+    uint32_t number; /* of the solid of a sweep */
+    uint32_t
+        late; /* the shape of the last late member, which solids often share */
     cylint_interval last[2]; /* ... and its chords */
     int n_last;
 } assembly;
@@ -217,7 +218,6 @@ static void add_chord_of_shape(assembly *a, const numbered_chord *chord)
                           s->of_shapes[i].solid, s->of_shapes[i].clause);
 }
 
-/* Solids often share a late member. */
 static void add_late_member(assembly *a, const cylint_membership *member)
 {
     if (a->late != member->shape) {
@@ -515,8 +515,8 @@ static void collect(collector *c, size_t pieces, double least_complete)
                       pieces > 0 ? keep_first_chord : keep_chord, c);
 }
 
-/* The most pieces for which the line is searched in order, how often, and how many
- * times farther on each time. */
+/* The most pieces for which the line is searched in order, how many such searches
+ * precede that for all chords, and how far each goes beyond the one before. */
 enum { FEW_PIECES = 4, SEARCHES = 8, FARTHER = 4 };
 
 /* As cylint_scene_pieces().  Afterwards c->chord has the chords in shapes, and
@@ -541,8 +541,8 @@ static size_t find_pieces(collector *c, sweep *s, cylint_workspace *work)
             work->wanted = c->n * 2 * sizeof *c->chord;
             return CYLINT_NO_ROOM;
         }
-        const double begin = c->n > 0 ? c->chord[0].t0 : 0;
         const size_t n = pieces_of_chords(c, work, s);
+        const double begin = c->n > 0 ? c->chord[0].t0 : 0;
         if (n == s->capacity || n == CYLINT_NO_ROOM ||
             !cylint_less(c->complete, c->line->tmax))
             return n;

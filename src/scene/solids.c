@@ -78,15 +78,15 @@ static cylint_scene_status check_members(cylint_solids *s, size_t shapes)
     return CYLINT_SCENE_OK;
 }
 
-/* Members of a shape in the hierarchy that more solids share are late if their
- * solid can be led by other shapes: else a line that hits the shape would make
- * events for all of them. */
-enum { FEW_SOLIDS = 16 };
+/* If a shape has more members, a line that hits it would make events for all their
+ * solids.  So these members are late where the solid has a clause of other bounded
+ * shapes, which the line must hit first.  The number changes only the time. */
+enum { FEW_MEMBERS = 16 };
 
 /* While first_of_shape has the numbers of members. */
 static int is_shared(const cylint_solids *s, uint32_t shape)
 {
-    return s->first_of_shape[shape] > FEW_SOLIDS;
+    return s->first_of_shape[shape] > FEW_MEMBERS;
 }
 
 /* lint: memory for the clauses of all members was allocated */

@@ -6,8 +6,10 @@
  * keep only a number's extent, the range of limbs that it can have: all limbs
  * that a double can have, and one more for the carry of each sum.  Nothing
  * cancels and nothing is trimmed, so real numbers never use more limbs
- * (numbers/test_exact.c tests each operation).  Signs decide what the library
- * computes next; they are random.
+ * (numbers/test_exact.c tests each operation).  Sums of numbers that
+ * cylint_leading() has cut, in cylint_angle(), are an exception: they can be
+ * longer than here, by some 200 of the limbs that stay free (observed).  Signs
+ * decide what the library computes next; they are random.
  *
  * The degree of a number is how many data are multiplied in it: each has LOWEST
  * as the position of its first limb, and positions add.

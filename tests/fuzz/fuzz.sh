@@ -2,7 +2,7 @@
 # Fuzzes each target for $SECONDS.  Stops at the first finding, which it writes
 # to $BUILD.  New inputs of the corpus stay in $BUILD too; to keep the useful
 # ones: TARGET -merge=1 tests/fuzz/corpus/TARGET $BUILD/corpus/TARGET
-# The target scene_file makes its first inputs itself, of up to 10 kB.
+# The target scene_file has no corpus: it makes its first inputs itself, of up to 10 kB.
 for target in record command shapes scene_file; do
     mkdir -p "$BUILD/corpus/$target"
     kept=tests/fuzz/corpus/$target longest=4096

@@ -83,6 +83,8 @@ def test_arguments_that_do_not_fit_are_named():
                 call(*points)
     for error, message, call in (
         (ValueError, r"shapes \(3,\), points \(2,\)", lambda: forest(5, 1)[:3].distance(two)),
+        (ValueError, "ulps: expected one number", lambda: ROD.on_surface(two, three)),
+        (TypeError, "ulps: .*None", lambda: ROD.on_surface(two, None)),
         (ValueError, r"points \(2,\), r \(3,\)", lambda: scene.closest(two, r=three)),
         (ValueError, r"points \(2,\), r \(3,\)", lambda: scene.within(two, three)),
         (TypeError, "r: expected real numbers", lambda: scene.closest([0, 0, 0], "far")),

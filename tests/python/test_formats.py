@@ -283,7 +283,7 @@ def test_what_bounds_nothing_is_left_out_and_counted(tree):
     texts = [re.sub("^.*?: ", "", str(warning.message)) for warning in said]
     assert texts == ["cylinders left out, of no length or radius: 2"]
     with pytest.warns(UserWarning, match="length or radius: 1$") as said:
-        assert tree(HEAD + POINTS, round=True).labels.tolist() == ["7", "8"]
+        assert tree(HEAD + POINTS, round=1).labels.tolist() == ["7", "8"]
     assert len(said) == 1
     with warnings.catch_warnings():
         warnings.simplefilter("error")

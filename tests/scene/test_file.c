@@ -310,6 +310,9 @@ TEST(only_the_first_bytes_of_another_file_are_read)
           opened == CYLINT_SCENE_EFORMAT);
     CHECK(waitpid(child, &status, 0) == child && status == 0);
     remove(path);
+    CHECK(access("/dev/zero", R_OK) != 0 ||
+          (!cylint_scene_open("/dev/zero", 0, &opened) &&
+           opened == CYLINT_SCENE_EFORMAT));
 }
 
 /* The mapping of a file that is replaced stays as it was.  A file that was read may

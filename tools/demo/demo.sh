@@ -36,8 +36,8 @@ echo "A laser scanner among the trees, one ray a line, in $out/rays.txt:"
 echo
 sed -n 1,3p "$out/rays.txt"
 echo
-echo "At which distance does each ray hit something, on which part, at which height"
-echo "above the ground, and of what?"
+echo "What does each ray hit, at which distance, on which part, and at which height"
+echo "above the ground?"
 echo
 echo "\$ cylint -s forest.scene -f t,part,z,label rays.txt > answers.txt"
 started=$(now)

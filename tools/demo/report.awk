@@ -1,10 +1,10 @@
 # report.awk - shows a scan: some answers, the range image as text, and the totals
 #
 # Reads the answers of `cylint -f t,part,z,label` with the tail `column row`; a shape's
-# label is `spruce7-stem #rrggbb`.  Prints the first hit on each part of each kind of shape; then an image,
-# whose characters show the nearest hit of wide x high rays: a tree by its range, near
-# to far in `shades`, the ground as a dot, the sky as a blank.  `seconds` is the time of
-# the command, 0 if the clock is too coarse.
+# label is `spruce7-stem #rrggbb`.  Prints the first hit on each part of each kind of
+# shape; then an image, whose characters show the nearest hit of wide x high rays: a
+# tree by its range, near to far in `shades`, the ground as a dot, the sky as a blank.
+# `seconds` is the time of the command, 0 if the clock is too coarse.
 
 BEGIN {
     shades = "@#%*+=-:"

@@ -379,7 +379,10 @@ class Shapes:
         (array([ True, False]), array([ True,  True]))
         """
         given = Points(points, threads=threads, progress=progress)
-        return self._answer(_core.on_surface, given, np.bool_, 1, ulps)
+        most = doubles("ulps", ulps)
+        if most.ndim > 0:
+            raise ValueError(f"ulps: expected one number, found the shape {most.shape}")
+        return self._answer(_core.on_surface, given, np.bool_, 1, float(most))
 
     def __reduce__(self) -> tuple[Any, ...]:
         kinds, numbers = self.reshape(self.size)._read()

@@ -64,7 +64,7 @@ def read_qsm(
     if "id" in table.names:
         at = table.names.index("id")
         labels = np.array([fields[at].strip() for _, fields in table.rows], str)
-    kept = (r != 0) & (round | (p0 != p1).any(axis=1))
+    kept = (r != 0) & (bool(round) | (p0 != p1).any(axis=1))
     if not kept.all():
         count = np.count_nonzero(~kept)
         warnings.warn(
