@@ -47,8 +47,7 @@ int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
         if (!(own.lo[j] >= -CYLINT_BOX_MOST && own.hi[j] <= CYLINT_BOX_MOST))
             return 0;
     }
-    if (box)
-        extend_box(box, &own);
+    extend_box(box, &own);
     return 1;
 }
 

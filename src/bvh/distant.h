@@ -25,8 +25,8 @@ typedef struct cylint_shapes_box {
         {HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, 0 \
     }
 
-/* Adds a shape to the box, unless that is NULL.  Returns 0, and adds nothing, if no
- * box can contain the shape. */
+/* Adds a shape to the box.  Returns 0, and adds nothing, if no box can contain the
+ * shape. */
 int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *shape);
 
 /* Finds which of the n shapes of a view shall be in the hierarchy: those in a box,

@@ -188,9 +188,10 @@ typedef struct {
     numbered_chord *chord;
     size_t n;
     uint32_t number; /* of the solid of a sweep */
-    uint32_t
-        late; /* the shape of the last late member, which solids often share */
-    cylint_interval last[2]; /* ... and its chords */
+    /* the shape of the last late member, which solids often share, and its
+     * chords */
+    uint32_t late;
+    cylint_interval last[2];
     int n_last;
 } assembly;
 
@@ -206,12 +207,10 @@ static int add_solid_chord(void *self, double t0, double t1)
 static void add_chord_of_shape(assembly *a, const numbered_chord *chord)
 {
     const cylint_solids *s = &a->from->scene->solids;
-    const uint32_t first = s->first_of_shape[chord->number],
-                   end = s->first_of_shape[chord->number + 1];
-    if (first == end)
+    const uint32_t first = s->first_of_shape[chord->number];
+    if (first == s->first_of_shape[chord->number + 1])
         a->chord[a->n++] = *chord;
-    for (uint32_t i = first;
-         i < end && !(s->of_shapes[i].shape & CYLINT_LATE_MEMBER);
+    for (uint32_t i = first; cylint_is_early_member(s, chord->number, i);
          i++, a->n_events += 2)
         cylint_add_events(a->event + a->n_events,
                           (cylint_interval){chord->t0, chord->t1},
@@ -290,11 +289,10 @@ static void count_events(const collector *c, size_t *events, size_t *chords)
     *events = 0;
     *chords = s->n_holding;
     for (size_t i = 0; i < c->n; i++) {
-        const uint32_t first = s->first_of_shape[c->chord[i].number],
-                       end = s->first_of_shape[c->chord[i].number + 1];
-        *chords += first == end;
-        for (uint32_t j = first;
-             j < end && !(s->of_shapes[j].shape & CYLINT_LATE_MEMBER); j++) {
+        const uint32_t shape = c->chord[i].number,
+                       first = s->first_of_shape[shape];
+        *chords += first == s->first_of_shape[shape + 1];
+        for (uint32_t j = first; cylint_is_early_member(s, shape, j); j++) {
             *events += 2;
             late += s->solid[s->of_shapes[j].solid].n_late;
         }
@@ -605,9 +603,8 @@ static void search_solid(boundary_search *q, size_t number)
     }
     for (size_t i = 0; i < q->from->n; i++) {
         const numbered_chord *x = &q->from->chord[i];
-        const uint32_t end = s->first_of_shape[x->number + 1];
         for (uint32_t j = s->first_of_shape[x->number];
-             j < end && !(s->of_shapes[j].shape & CYLINT_LATE_MEMBER); j++)
+             cylint_is_early_member(s, x->number, j); j++)
             if (s->of_shapes[j].solid == q->solid)
                 consider_chord(q, x->number, s->of_shapes[j].clause,
                                (cylint_interval){x->t0, x->t1});

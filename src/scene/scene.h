@@ -55,6 +55,15 @@ typedef struct cylint_solids {
     size_t bytes;
 } cylint_solids;
 
+/* Whether i is the place in `of_shapes` of a member of the shape that is not late,
+ * counted from first_of_shape[shape]. */
+static inline int cylint_is_early_member(const cylint_solids *solids,
+                                         size_t shape, uint32_t i)
+{
+    return i < solids->first_of_shape[shape + 1] &&
+           !(solids->of_shapes[i].shape & CYLINT_LATE_MEMBER);
+}
+
 struct cylint_scene {
     cylint_records records;
     size_t n;

@@ -172,12 +172,11 @@ static void list_by_shape(cylint_solids *s, size_t shapes)
     uint32_t *first = s->first_of_shape, end = 0;
     for (size_t shape = 0; shape <= shapes; shape++)
         first[shape] = end += first[shape];
-    for (uint32_t late = CYLINT_LATE_MEMBER;; late = 0) {
+    for (int round = 0; round < 2; round++) {
+        const uint32_t late = round == 0 ? CYLINT_LATE_MEMBER : 0;
         for (size_t i = s->n_members; i-- > 0;)
             if ((s->late[i].shape & CYLINT_LATE_MEMBER) == late)
                 s->of_shapes[--first[s->late[i].shape - late]] = s->late[i];
-        if (late == 0)
-            return;
     }
 }
 
@@ -192,7 +191,7 @@ static void list_always(cylint_solids *s, const cylint_scene *scene)
         const uint32_t shape = scene->others[i],
                        first = s->first_of_shape[shape];
         if (first == s->first_of_shape[shape + 1] ||
-            !(s->of_shapes[first].shape & CYLINT_LATE_MEMBER))
+            cylint_is_early_member(s, shape, first))
             s->always[s->n_always++] = shape;
     }
 }

@@ -121,7 +121,6 @@ static inline bounded_pair bounded_pair_difference(double x, double y)
 /* Large and rarely needed: sign.c defines these once. */
 #define INLINE
 #define FORMS_DECLARED
-#define NUM bounded_pair
 #define FORM(name) cylint_##name##_pair
 #include "forms_template.h"
 

@@ -4,7 +4,8 @@
  * Every sign that decides a verdict and every coefficient of a root is a
  * polynomial in the data.  They stand here as straight-line code over an
  * arithmetic that the including file names by macros.  All but INLINE end with
- * this file; those in brackets may be left out:
+ * this file; those in brackets may be left out.  Without NUM the arithmetic is that
+ * of bounded pairs (forms.h):
  *
  *   INLINE                  how its functions are declared
  *   NUM                     the type of a number
@@ -93,6 +94,15 @@
  * E_1, N_0, N_1 and G determine their order.
  */
 
+#ifndef NUM
+#define NUM bounded_pair
+#define ADD(x, y) bounded_pair_add(x, y)
+#define SUB(x, y) bounded_pair_sub(x, y)
+#define MUL(x, y) bounded_pair_mul(x, y)
+#define DATUM(x) bounded_pair_of(x, 0)
+#define DIFFERENCE(x, y) bounded_pair_difference(x, y)
+#define DIRECTION(l, i) bounded_pair_of(l->d[i], l->d_lo[i])
+#endif
 #ifndef MEMORY
 #define MEMORY
 #endif

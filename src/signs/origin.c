@@ -14,14 +14,7 @@
 #endif
 
 #define INLINE static inline
-#define NUM bounded_pair
 #define FORM(name) origin_##name
-#define ADD(x, y) bounded_pair_add(x, y)
-#define SUB(x, y) bounded_pair_sub(x, y)
-#define MUL(x, y) bounded_pair_mul(x, y)
-#define DATUM(x) bounded_pair_of(x, 0)
-#define DIFFERENCE(x, y) bounded_pair_difference(x, y)
-#define DIRECTION(l, i) bounded_pair_of(l->d[i], l->d_lo[i])
 #include "forms_template.h"
 
 /* Whether t can be one of the data, and no operation on the forms underflows: of

@@ -18,14 +18,7 @@ unsigned long long cylint_stages[CYLINT_STAGES];
 #define INLINE
 
 #define FORMS_DEFINED
-#define NUM bounded_pair
 #define FORM(name) cylint_##name##_pair
-#define ADD(x, y) bounded_pair_add(x, y)
-#define SUB(x, y) bounded_pair_sub(x, y)
-#define MUL(x, y) bounded_pair_mul(x, y)
-#define DATUM(x) bounded_pair_of(x, 0)
-#define DIFFERENCE(x, y) bounded_pair_difference(x, y)
-#define DIRECTION(l, i) bounded_pair_of(l->d[i], l->d_lo[i])
 #include "forms_template.h"
 
 #define FORMS_DEFINED

@@ -18,15 +18,20 @@ static int needs_labels(const struct options *o)
            o->not_label || o->rank || o->sum;
 }
 
+/* Of a saved scene, or of a text. */
+static int load_shapes(struct scene *scene, int keeps_labels)
+{
+    scene->keeps_labels = keeps_labels;
+    const int status = scene_open(scene);
+    return status == NOT_SAVED ? scene_read_text(scene) : status;
+}
+
 /* No method needs the hierarchy. */
 static int read_scene(struct job *job)
 {
     const struct options *o = job->options;
     struct scene *scene = &job->scene;
-    scene->keeps_labels = needs_labels(o);
-    int status = scene_open(scene);
-    if (status == NOT_SAVED)
-        status = scene_read_text(scene);
+    int status = load_shapes(scene, needs_labels(o));
     job->groups.shapes = scene->count;
     if (status == 0 && (o->not_label || o->rank || o->sum))
         status = groups_make(&job->groups, &scene->labels, o->sum >= SUM_TOTAL);
@@ -77,18 +82,13 @@ static int is_read_too(const struct options *o, const char *file)
     return is_input;
 }
 
-/* A saved scene is saved with its own labels. */
 static int save(struct job *job)
 {
     const struct options *o = job->options;
     struct scene *scene = &job->scene;
     if (is_read_too(o, o->save))
         return EXIT_IO;
-    int status = scene_open(scene);
-    if (status == NOT_SAVED) {
-        scene->keeps_labels = 1;
-        status = scene_read_text(scene);
-    }
+    int status = load_shapes(scene, 1);
     if (status == 0)
         status = scene_build(scene, o->workers);
     return status == 0 ? scene_save(scene, o->save) : status;
