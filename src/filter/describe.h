@@ -109,7 +109,7 @@ INLINE surface_beside surface_of(const source *from, const pair_line *in,
     const quadratic q = quadratic_of_end(&v, &e, solid);
     surface_beside s = {
         residual_at(in, &l, none, &e, solid), {two * q.B.v, two * q.B.e}, q.A};
-    if (cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid)) {
+    if (cylint_solid_has_discs(solid)) {
         bounded_value w = {l.in.w, v_set(CYLINT_LOCAL_POSITION) * l.unit * l.D};
         count_roundings(&w, 1);
         s.slope = choose(r->on_end, w, s.slope);
@@ -204,12 +204,6 @@ static unsigned describe_z_and_phi(cylint_hit *hit, const source *ball,
 
 /* ------------------------------------------------------- exact roots -- */
 
-/* Exact signs at points of the line serve these solids. */
-INLINE int has_signs_on_line(int solid)
-{
-    return !cylint_solid_is_round(solid) || solid == CYLINT_SOLID_SPHERE;
-}
-
 /* The number near value + tail that has up to 24 digits more than a double.  Data
  * of few digits have such roots, and often these, or coordinates of the hit, are
  * the middle of two doubles. */
@@ -226,12 +220,12 @@ static int describe_exact_point(const source *from, double t, vd tail, int part,
 {
     const int solid = cylint_prepared(from->shape);
     const int on_end =
-        part != CYLINT_PART_LATERAL && solid != CYLINT_SOLID_SPHERE;
+        part != CYLINT_PART_LATERAL && cylint_solid_has_discs(solid);
     const int surface =
         on_end ? part - CYLINT_PART_CAP0 : CYLINT_LATERAL_SURFACE;
     const vpair near = short_pair(v_set(t), tail);
     const pair root = {v_first(near.hi), v_first(near.lo)};
-    return has_signs_on_line(solid) &&
+    return !cylint_solid_is_hull(solid) &&
            /* untaken 1 of 4: no inexact point of an exact sign is known */
            CYLINT_SIGN_ON_LINE(from->shape, from->line, root, surface) == 0 &&
            cylint_exact_point(from->line, root, point);

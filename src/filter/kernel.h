@@ -88,7 +88,7 @@ INLINE void other_forms(forms *f, const local_line *l, int solid)
         f->B = ball_B_doubles(in, in->z);
         return;
     }
-    if (!cylint_solid_is_bounded(solid))
+    if (!cylint_solid_has_planes(solid))
         return;
     EACH(k, ENDS) {
         f->E[k] = E_doubles(in, l->z[k], l->r[k]);
@@ -183,7 +183,7 @@ INLINE void compute_balls(balls *b, const local_line *l)
 }
 
 /* A line that misses the cone of a round solid can cross a ball beyond it.  rises:
- * see judge_bounded(). */
+ * see judge_between_planes(). */
 INLINE void judge_balls(verdict *v, const local_line *l, const vm rises[ENDS])
 {
     vm there[ENDS], outside[ENDS];
@@ -223,8 +223,8 @@ INLINE vm stays_outside(const local_line *l, vd E, vd inward)
 /* By the signs of E, of N inward and of G (roots/overlap.c).  Certain of plane k:
  * outside: the line crosses it outside the disc; falls: from there the quadric
  * falls towards the other plane; rises: it rises, or stays positive. */
-INLINE void judge_bounded(verdict *v, const forms *f, const local_line *l,
-                          int solid)
+INLINE void judge_between_planes(verdict *v, const forms *f,
+                                 const local_line *l, int solid)
 {
     /* of round solids the larger radius is that of a circle, or more */
     const vd eE = disc_error(l, CYLINT_LOCAL_FORM, l->widest);
@@ -245,21 +245,21 @@ INLINE void judge_bounded(verdict *v, const forms *f, const local_line *l,
     v->misses = m_or(m_and(both_ends(outside), either_end(rises)), G.negative);
     v->crosses =
         m_or(either_end(v->pierced), m_and(both_ends(falls), G.positive));
-    if (cylint_solid_is_round(solid))
+    if (cylint_solid_is_hull(solid))
         judge_balls(v, l, rises);
 }
 
 /*
- * An unbounded solid is crossed if Q has two roots and missed if it has none:
- * a line cannot stay inside a double cone.  G > 0 implies A > 0, but not for a
- * double cone, where A = 0 leaves one root.
+ * A solid that no two planes bound is crossed if Q has two roots and missed if it
+ * has none: a line cannot stay inside a double cone.  G > 0 implies A > 0, but not
+ * for a double cone, where A = 0 leaves one root.
  *
  * Of a nappe: if A > 0 both roots are on the nappe that holds the chord's middle,
  * where rho has the sign of T.  If A < 0 there is one on each, and the line enters
  * this nappe if rho grows along it.
  */
-INLINE void judge_unbounded(verdict *v, const forms *f, const local_line *l,
-                            int solid)
+INLINE void judge_quadric(verdict *v, const forms *f, const local_line *l,
+                          int solid)
 {
     const vm all = m_if_all(1);
     const signs A = signs_of(v->A.v, v->A.e);
@@ -288,25 +288,16 @@ INLINE void judge(verdict *v, const forms *f, const local_line *l, int solid)
 {
     v->A = bounded_A(f->A, l, l->taper);
     v->B = bounded_B(f->B, l, l->taper);
-    if (solid == CYLINT_SOLID_SPHERE) {
-        const signs g = signs_of(v->G.v, v->G.e);
-        EACH(k, ENDS)
-            v->pierced[k] = m_from(0);
-        v->misses = g.negative;
-        v->crosses = g.positive;
-        v->sided = m_if_all(1);
-    } else if (cylint_solid_is_bounded(solid)) {
-        judge_bounded(v, f, l, solid);
-    } else {
-        judge_unbounded(v, f, l, solid);
-    }
+    if (cylint_solid_has_planes(solid))
+        judge_between_planes(v, f, l, solid);
+    else
+        judge_quadric(v, f, l, solid);
 }
 
 /* The planes that bound the lateral surface are those of the ends. */
 INLINE int has_end_planes(int solid)
 {
-    return cylint_solid_is_bounded(solid) &&
-           (!cylint_solid_is_round(solid) || solid == CYLINT_SOLID_CAPSULE);
+    return cylint_solid_has_discs(solid) || solid == CYLINT_SOLID_CAPSULE;
 }
 
 /* A line in the plane of an end overlaps the solid between its roots on the lateral
@@ -327,8 +318,9 @@ typedef struct {
     vm before, inside, after;
 } place;
 
-/* Signs at a point of the line: of Q; of z from each plane; of a nappe's rho;
- * of each ball; and of which side of a point of the chord it lies on. */
+/* Signs at a point of the line: of Q, or of a sphere; of z from each plane; of a
+ * nappe's rho; of each ball of a hull; and of which side of a point of the chord it
+ * lies on. */
 typedef struct {
     signs side, above[2], rho, ball[2], past;
 } point_signs;
@@ -372,14 +364,11 @@ INLINE place place_of(const point_signs *at, const verdict *v, vd limit,
         outside = m_or(outside, at->rho.negative);
         past.positive = m_and(leaves, m_or(past.positive, m_not(enters)));
         past.negative = m_and(enters, m_or(past.negative, m_not(leaves)));
-    } else if (solid == CYLINT_SOLID_SPHERE) {
-        inside = at->ball[0].negative;
-        outside = at->ball[0].positive;
-    } else if (cylint_solid_is_bounded(solid)) {
+    } else if (cylint_solid_has_planes(solid)) {
         const vm below0 = at->above[0].negative, above1 = at->above[1].positive;
         inside =
             m_and(inside, m_and(at->above[0].positive, at->above[1].negative));
-        if (cylint_solid_is_round(solid)) {
+        if (cylint_solid_is_hull(solid)) {
             const vm between = m_not(m_or(below0, above1));
             outside = m_or(m_or(m_and(below0, at->ball[0].positive),
                                 m_and(above1, at->ball[1].positive)),
@@ -409,12 +398,12 @@ INLINE signs past_chord(const point_signs *at, const verdict *v,
                         const signs ball[2], signs vertex, vm down, int solid)
 {
     signs past = vertex;
-    if (!cylint_solid_is_bounded(solid) || solid == CYLINT_SOLID_SPHERE)
+    if (!cylint_solid_has_planes(solid))
         return past;
     EACH(i, 2) {
         const signs plane =
             signs_if(down, reversed(at->above[i]), at->above[i]);
-        if (cylint_solid_is_round(solid))
+        if (cylint_solid_is_hull(solid))
             past = signs_if(m_of_end(v->chord, i), ball[i], past);
         past = signs_if(m_of_end(v->pierced, i), plane, past);
     }
@@ -441,8 +430,7 @@ INLINE void set_past(point_signs *at, const local_line *l, const verdict *v,
                      vd t, int solid)
 {
     signs of_ball[2] = {at->past, at->past};
-    if (cylint_solid_is_round(solid) && solid != CYLINT_SOLID_SPHERE &&
-        m_any(either_end(v->chord)))
+    if (cylint_solid_is_hull(solid) && m_any(either_end(v->chord)))
         EACH(i, 2)
             of_ball[i] =
                 slope_signs(v->ball.A, bounded_of_end(v->ball.B, i), t);
@@ -455,9 +443,7 @@ INLINE void set_place_signs(point_signs *at, const local_line *l, vd t,
                             int solid)
 {
     const line_doubles *in = &l->in;
-    const int ball = solid == CYLINT_SOLID_SPHERE;
-    const int bounded = cylint_solid_is_bounded(solid);
-    const int round = cylint_solid_is_round(solid);
+    const int planes = cylint_solid_has_planes(solid);
     const vd k = l->taper, size = v_sum_of(v_abs(t), l->D, l->Q);
     const vd eZ = v_set(CYLINT_LOCAL_POSITION) * l->unit * size, eP = k * eZ;
     const vd x = v_sum_of(t, in->v[0], in->p[0]);
@@ -465,21 +451,20 @@ INLINE void set_place_signs(point_signs *at, const local_line *l, vd t,
     const vd pp = v_sum_of(x, x, y * y), step = t * in->w;
     EACH(i, 2) {
         at->above[i] = at->ball[i] = (signs){m_from(0), m_from(0)};
-        if (!bounded || (ball && i == 1))
-            continue;
-        if (!ball)
+        if (planes)
             at->above[i] = signs_of(of_end(l->z, i) + step, eZ);
-        if (round) {
+        if (cylint_solid_is_round(solid)) {
             const vd r = of_end(l->ball_r, i);
             const vd z = of_end(l->ball_z, i) + step;
             at->ball[i] =
                 signs_of(v_sum_of(z, z, pp) - r * r, v_set(8) * eZ * (r + eZ));
         }
     }
-    if (!ball) {
+    at->side = at->ball[0];
+    if (solid != CYLINT_SOLID_SPHERE) {
         const vd growing = v_sum_of(in->slope, in->z + step, in->r);
         const vd rho = v_if(cylint_solid_is_tapered(solid), growing, in->r);
-        const vd most = v_if(bounded, l->widest, k * size);
+        const vd most = v_if(planes, l->widest, k * size);
         at->rho = signs_of(rho, eP);
         at->side = signs_of(v_sum_of(-rho, rho, pp),
                             v_set(4) * eP * (most + v_set(4) * eP));
@@ -501,15 +486,15 @@ INLINE vm is_ahead(const local_line *l, const verdict *v, int solid)
     vm ahead = v_lt(v->B.v, -v->B.e), cap[ENDS], plane[ENDS];
     if (solid == CYLINT_SOLID_DOUBLE_CONE)
         ahead = m_and(ahead, v_lt(v_set(0), v->A.v));
-    if (!cylint_solid_is_bounded(solid) || solid == CYLINT_SOLID_SPHERE)
+    if (!cylint_solid_has_planes(solid))
         return ahead;
     EACH(k, ENDS) {
         plane[k] = v->pierced[k];
         cap[k] = m_and(v->pierced[k], v_lt(l->z[k] * l->in.w, -eZ));
-        if (cylint_solid_is_round(solid))
+        if (cylint_solid_is_hull(solid))
             plane[k] = m_or(plane[k], v->chord[k]);
     }
-    if (cylint_solid_is_round(solid) && m_any(either_end(v->chord)))
+    if (cylint_solid_is_hull(solid) && m_any(either_end(v->chord)))
         EACH(k, ENDS) {
             const bounded_value B = v->ball.B[k];
             cap[k] = m_or(cap[k], m_and(v->chord[k], v_lt(B.v, -B.e)));

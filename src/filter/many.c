@@ -385,7 +385,7 @@ INLINE vm find_roots(group_questions *x, const local_line *l, verdict *v,
     const int nearest = (want & CYLINT_WANT_NEAREST) != 0;
     pair_line in;
     vm undecided = m_from(0);
-    if (cylint_solid_is_round(solid) && solid != CYLINT_SOLID_SPHERE)
+    if (cylint_solid_is_hull(solid))
         compute_balls(&v->ball, l);
     for (int k = 0; k < 2; k++) {
         const line_end end_k = end_number(l, v, k, solid);

@@ -167,8 +167,6 @@ INLINE vm round_vector(double to[3][8], const bounded_pairs x[3], double beside)
 INLINE void point_of(bounded_pairs to[3], const source *from, const hit_root *r,
                      int solid)
 {
-    const int planes =
-        cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid);
     const vd error = v_set(1 / CYLINT_MEMBER_UNIT) * r->error;
     EACH(i, 3) {
         const vpair d = direction_at(from, i),
@@ -179,7 +177,7 @@ INLINE void point_of(bounded_pairs to[3], const source *from, const hit_root *r,
             v_sum_of(v_abs(d.hi), error,
                      v_set(CYLINT_MEMBER_PLACE / CYLINT_MEMBER_UNIT) * sizes)};
     }
-    if (planes && m_any(r->on_end))
+    if (cylint_solid_has_discs(solid) && m_any(r->on_end))
         EACH(i, 3) {
             vm is_fixed;
             const bounded_pairs x = {
@@ -339,7 +337,7 @@ INLINE void normal_of(bounded_pairs n[3], const local_hit *h,
         n[i] = solid == CYLINT_SOLID_SPHERE
                    ? local[i]
                    : component_of(local, h, from, i, solid);
-    if (cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid))
+    if (cylint_solid_has_discs(solid))
         EACH(i, 3)
             n[i] =
                 choose_pairs(r->on_end, plane_component(h, from, r, i), n[i]);
@@ -361,7 +359,7 @@ INLINE vm z_of(vd *to, const local_hit *h, const source *from,
                const hit_root *r, int solid)
 {
     const vm certain = rounds(height_share(h, from), 0, to);
-    if (!cylint_solid_is_bounded(solid) || cylint_solid_is_round(solid))
+    if (!cylint_solid_has_discs(solid))
         return certain;
     *to = v_select(r->on_end, v_select(r->top, v_set(1), v_set(0)), *to);
     return m_or(r->on_end, certain);

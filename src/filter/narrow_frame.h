@@ -130,28 +130,10 @@ INLINE void load_place(local_line *l, const double o[3],
     set_ends(l, &from, solid);
 }
 
-/* The numbers of the line in doubles that the stages in pairs read. */
-INLINE void set_sizes(local_line *l, const cylint_shape *shape,
-                      const cylint_line *line, double Q, double D, int solid)
-{
-    const int tapered = cylint_solid_is_tapered(solid);
-    const vd r = v_set(cylint_r0(shape)), both = v_load(cylint_radii(shape));
-    l->Q = v_set(Q);
-    l->D = v_set(D);
-    l->taper = v_set(tapered ? 1 + fabs(cylint_slope(shape)) : 1);
-    l->unit = v_set(cylint_frame_error(shape));
-    l->in.r = r;
-    l->ball_r[0] = v_if(tapered, both, r);
-    l->widest = v_if(tapered, v_max(both, v_turned(both)), r);
-    l->limit[0] = v_load(&line->tmin);
-    l->cap[0] = m_from(cylint_caps_present(shape->ends));
-}
-
 /* z, w and the ends, loaded after the test of G. */
 INLINE void load_after_G(local_line *l, const source *from, int solid)
 {
-    if (!cylint_solid_is_tapered(solid) && cylint_solid_is_bounded(solid) &&
-        solid != CYLINT_SOLID_SPHERE) {
+    if (!cylint_solid_is_tapered(solid) && cylint_solid_has_planes(solid)) {
         first_line first;
         load_along(&first, from, solid);
         l->from_base = l->in.z = first.from_base;
@@ -160,6 +142,18 @@ INLINE void load_after_G(local_line *l, const source *from, int solid)
     l->limit[0] = v_load(&from->line->tmin);
     l->cap[0] = m_from(cylint_caps_present(from->shape->ends));
     set_ends(l, from, solid);
+}
+
+/* The numbers of the line in doubles that the stages in pairs read. */
+INLINE void set_sizes(local_line *l, const cylint_shape *shape,
+                      const cylint_line *line, double Q, double D, int solid)
+{
+    const source from = {shape, line};
+    set_surface(l, v_set(0), &from, solid);
+    load_after_G(l, &from, solid);
+    l->Q = v_set(Q);
+    l->D = v_set(D);
+    l->unit = v_set(cylint_frame_error(shape));
 }
 
 /* The matrix times a vector, whose components are hi[j] + lo[j] in all lanes.

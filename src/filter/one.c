@@ -164,14 +164,10 @@ INLINE int contains_in_doubles(const cylint_shape *shape, const double point[3],
 INLINE int contains_exactly(point_signs *at, const cylint_question *q,
                             int solid)
 {
-    const int ball = solid == CYLINT_SOLID_SPHERE;
-    if (!has_signs_on_line(solid) || solid == CYLINT_SOLID_NAPPE ||
+    if (cylint_solid_is_hull(solid) || solid == CYLINT_SOLID_NAPPE ||
         !cylint_is_finite(q->line->o))
         return CYLINT_SIGN_UNDECIDED;
-    settle(ball ? &at->ball[0] : &at->side, 1, 0, q, CYLINT_LATERAL_SURFACE);
-    if (cylint_solid_is_bounded(solid) && !ball)
-        EACH(i, 2)
-            settle(&at->above[i], 1, 0, q, i);
+    settle_at_origin(at, 1, 0, q, solid);
     return side_of_place(place_of_point(at, solid));
 }
 

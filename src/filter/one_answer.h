@@ -155,7 +155,7 @@ INLINE unsigned ends_needed(hits h, cylint_end_bits e, unsigned want)
 INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
                            cylint_question *q, int solid)
 {
-    if (cylint_solid_is_round(solid) && solid != CYLINT_SOLID_SPHERE)
+    if (cylint_solid_is_hull(solid))
         compute_balls(&v->ball, l);
     const line_end e = end_number(l, v, 0, solid);
     const estimate at = estimate_end(l, v, &e, solid);

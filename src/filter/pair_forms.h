@@ -77,7 +77,7 @@ INLINE void forms_in_pairs(forms *f, balls *b, local_line *l,
     f->B = rounded(B_pairs(&x, tapered));
     if (solid == CYLINT_SOLID_NAPPE)
         f->T = rounded(T_pairs(&x, Y));
-    if (!cylint_solid_is_bounded(solid))
+    if (!cylint_solid_has_planes(solid))
         return;
     f->E[0] = rounded(E_pairs(&x, z[0], r[0]));
     f->N[0] = rounded(N_pairs(&x, z[0], r[0], tapered));
@@ -95,7 +95,7 @@ INLINE void count_all_roundings(verdict *v, int solid)
     count_roundings(&v->G, 1);
     count_roundings(&v->A, 2);
     count_roundings(&v->B, 1);
-    if (!cylint_solid_is_round(solid) || solid == CYLINT_SOLID_SPHERE)
+    if (!cylint_solid_is_hull(solid))
         return;
     count_roundings(&v->ball.g[0], 1);
     count_roundings(&v->ball.A, 2);

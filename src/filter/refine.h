@@ -28,27 +28,28 @@ INLINE void point_in_pairs(point_signs *at, const local_line *l,
         const vpair rho = moved(in->rho, in->growth, t);
         at->rho = signs_of(rho.hi + rho.lo, l->taper * eZ);
     }
-    if (cylint_solid_is_bounded(solid)) {
+    if (cylint_solid_has_planes(solid)) {
         set_planes(plane, r, in, shape, solid);
         EACH(i, 2)
             at->above[i] =
                 signs_of(rounded(moved(pairs_of_end(plane, i), in->w, t)), eZ);
         between = m_not(m_or(at->above[0].negative, at->above[1].positive));
     }
-    if (cylint_solid_is_round(solid))
+    if (cylint_solid_is_hull(solid))
         EACH_FUSED(i, 2) {
             const vm within = i ? at->above[1].negative : at->above[0].positive;
-            if (solid != CYLINT_SOLID_SPHERE && !m_any(m_not(within)))
+            if (!m_any(m_not(within)))
                 continue;
             const bounded_value C =
                 square_residual(in, l, t, all, pairs_of_end(in->z, i),
                                 of_end(l->ball_r, i), solid);
             at->ball[i] = signs_of(C.v, C.e);
         }
-    if (solid == CYLINT_SOLID_SPHERE || !m_any(between))
+    if (!m_any(between))
         return;
     const bounded_value side =
-        square_residual(in, l, t, none, in->z[0], l->in.r, solid);
+        square_residual(in, l, t, m_if_all(solid == CYLINT_SOLID_SPHERE),
+                        pairs_of_end(in->z, 0), l->in.r, solid);
     at->side = signs_of(side.v, side.e);
 }
 
@@ -117,7 +118,7 @@ static int refine_line(cylint_question *q)
     const int in_plane = has_end_planes(solid) && lies_in_plane(&from);
     if (in_plane)
         judge_in_plane(&v, m_from(3));
-    q->is_along = in_plane && !cylint_solid_is_round(solid);
+    q->is_along = in_plane && cylint_solid_has_discs(solid);
     const int sided = (m_bits(v.sided) & 1) != 0;
     if (!(m_bits(v.crosses) & 1) ||
         (!sided && (q->want & CYLINT_WANT_T || !ignores_parts(q, solid))))
@@ -156,20 +157,19 @@ INLINE void settle(signs *x, unsigned lane, int rises, const cylint_question *q,
 }
 
 /*
- * The signs at an end of the domain that is the line's origin.  w has a certain
- * sign where the line pierces a plane.  A line that pierces none and begins on a
- * plane begins outside the lateral surface: then the sign of z decides nothing.
+ * The signs at an end of the domain that is the line's origin; not of hulls.  up:
+ * the sign of w, which is certain where the line pierces a plane; 0 for a point.  A
+ * line that pierces none and begins on a plane begins outside the lateral surface:
+ * then the sign of z decides nothing.
  */
-INLINE void settle_at_origin(point_signs *at, unsigned lane,
+INLINE void settle_at_origin(point_signs *at, unsigned lane, int up,
                              const cylint_question *q, int solid)
 {
-    const int ball = solid == CYLINT_SOLID_SPHERE;
-    settle(ball ? &at->ball[0] : &at->side, lane, q->rises, q,
-           CYLINT_LATERAL_SURFACE);
-    if (!cylint_solid_is_bounded(solid) || ball)
+    settle(&at->side, lane, q->rises, q, CYLINT_LATERAL_SURFACE);
+    if (!cylint_solid_has_discs(solid))
         return;
     EACH(i, 2) {
-        settle(&at->above[i], lane, q->ends.back ? -1 : 1, q, i);
+        settle(&at->above[i], lane, up, q, i);
         const signs plane =
             q->ends.back ? reversed(at->above[i]) : at->above[i];
         const vm uncertain = m_not(m_or(at->past.positive, at->past.negative));
@@ -202,13 +202,13 @@ INLINE unsigned roots_at(const root *exact, const root *r, const estimate *at,
     unsigned found =
         needed & m_bits(m_and(near, v_lt(reach, v_abs(at->slope))));
     double t[2], tail[2];
-    if (!found || !has_signs_on_line(solid))
+    if (!found || cylint_solid_is_hull(solid))
         return 0;
     v_store(t, exact->value);
     v_store(tail, exact->tail);
     EACH(i, 2) {
         const int plane =
-            q->ends.on_end >> i & 1 && solid != CYLINT_SOLID_SPHERE;
+            q->ends.on_end >> i & 1 && cylint_solid_has_discs(solid);
         const int surface =
             plane ? (int)(q->ends.top >> i & 1) : CYLINT_LATERAL_SURFACE;
         if (found >> i & 1 &&
@@ -305,10 +305,10 @@ INLINE int refine_ends(cylint_question *q, int solid)
     const unsigned origin =
         limits_at_origin(q->line) &
         ~m_bits(m_or(m_or(where.before, where.inside), where.after));
-    if (origin && has_signs_on_line(solid)) {
+    if (origin && !cylint_solid_is_hull(solid)) {
         EACH(i, 2)
             if (origin >> i & 1)
-                settle_at_origin(&at, 1u << i, q, solid);
+                settle_at_origin(&at, 1u << i, q->ends.back ? -1 : 1, q, solid);
         where = place_of(&at, &v, l.limit[0], solid);
     }
     return answer_by_places(&where, q->ends, q, solid);
@@ -334,7 +334,7 @@ static int refine_roots(cylint_question *q)
         load_any_pairs(&in, shape, q->line, 1);
     set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
     const vm present = m_from(q->ends.present);
-    if (cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid)) {
+    if (cylint_solid_has_discs(solid)) {
         root of_plane;
         const vm planes = exact_roots_of_planes(&of_plane, q);
         r = root_if(planes, &of_plane, &r);

@@ -26,30 +26,28 @@ INLINE vm is_backward(const local_line *l, const verdict *v, int solid)
 {
     if (solid == CYLINT_SOLID_DOUBLE_CONE)
         return v_lt(v->A.v, v_set(0));
-    if (!cylint_solid_is_bounded(solid) || solid == CYLINT_SOLID_SPHERE)
+    if (!cylint_solid_has_planes(solid))
         return m_from(0);
     const vm down = v_lt(l->in.w, v_set(0));
-    return cylint_solid_is_round(solid) ? m_and_not(down, either_end(v->chord))
-                                        : down;
+    return cylint_solid_is_hull(solid) ? m_and_not(down, either_end(v->chord))
+                                       : down;
 }
 
 /* End k.  Wide: the k-th in t.  Narrow: each lane has one of both. */
 INLINE line_end end_number(const local_line *l, const verdict *v, int k,
                            int solid)
 {
-    const int narrow = ENDS == 1;
-    const int bounded =
-        cylint_solid_is_bounded(solid) && solid != CYLINT_SOLID_SPHERE;
+    const int narrow = ENDS == 1, planes = cylint_solid_has_planes(solid);
     const vm back = is_backward(l, v, solid), last = last_end(k);
     const vd order = ends_of(v_set(-1), v_set(1), k);
     line_end e;
-    e.exits = v_if(narrow == bounded, v_select(back, -order, order), order);
+    e.exits = v_if(narrow == planes, v_select(back, -order, order), order);
     e.top = narrow ? last : m_if(back, m_not(last), last);
     e.on_end = m_from(0);
-    if (!bounded)
+    if (!planes)
         return e;
     e.on_end = m_at_end(e.top, v->pierced);
-    if (cylint_solid_is_round(solid)) {
+    if (cylint_solid_is_hull(solid)) {
         const vm in_ball = either_end(v->chord);
         e.on_end = m_or(in_ball, e.on_end);
         e.top = m_if(in_ball, m_of_end(v->chord, 1), e.top);
@@ -88,7 +86,7 @@ INLINE quadratic quadratic_of_end(const verdict *v, const line_end *e,
 {
     const balls *b = &v->ball;
     quadratic q = {v->A, v->B, v->G};
-    if (!cylint_solid_is_round(solid) || solid == CYLINT_SOLID_SPHERE)
+    if (!cylint_solid_is_hull(solid))
         return q;
     return (quadratic){choose(e->on_end, b->A, q.A),
                        choose(e->on_end, bounded_of_ball(e, b->B), q.B),
@@ -107,15 +105,14 @@ typedef struct {
 INLINE estimate estimate_end(const local_line *l, const verdict *v,
                              const line_end *e, int solid)
 {
-    const int planes =
-        cylint_solid_is_bounded(solid) && !cylint_solid_is_round(solid);
+    const int discs = cylint_solid_has_discs(solid);
     const quadratic q = quadratic_of_end(v, e, solid);
     const vd s = v_sqrt(q.radicand.v), root = e->exits * s;
     vd num = root - q.B.v, den = q.A.v;
     estimate at;
     at.slope = root + root;
     at.curvature = v_abs(q.A.v) + q.A.e;
-    if (planes) {
+    if (discs) {
         num = v_select(e->on_end, -at_end(e->top, l->z), num);
         den = v_select(e->on_end, l->in.w, den);
         at.slope = v_select(e->on_end, l->in.w, at.slope);
@@ -133,7 +130,7 @@ INLINE estimate estimate_end(const local_line *l, const verdict *v,
     at.off =
         (off + at.slope_error) +
         v_set(8 * CYLINT_ROUNDING) * v_sum_of(v_abs(at.t), v_abs(q.A.v), s);
-    if (planes) {
+    if (discs) {
         at.slope_error =
             v_select(e->on_end, v_set(CYLINT_LOCAL_POSITION) * l->unit * l->D,
                      at.slope_error);
@@ -229,7 +226,7 @@ INLINE bounded_value residual_at(const pair_line *in, const local_line *l, vd t,
     }
     const bounded_value side =
         square_residual(in, l, t, e->on_end, in->z[0], l->in.r, solid);
-    if (!cylint_solid_is_bounded(solid))
+    if (!cylint_solid_has_discs(solid))
         return side;
     const vpair z =
         ENDS == 1 ? in->z[0] : pick(e->top, in->z[ENDS - 1], in->z[0]);
@@ -333,11 +330,9 @@ INLINE hits hits_of_roots(const root *r, const local_line *l, vm present)
 INLINE vm is_present(const local_line *l, const verdict *v, const line_end *e,
                      int k, int solid)
 {
-    if (solid == CYLINT_SOLID_SPHERE)
-        return m_if_all(1);
-    if (!cylint_solid_is_bounded(solid))
+    if (!cylint_solid_has_planes(solid))
         return v->exists[k];
-    const vm cap = cylint_solid_is_round(solid)
+    const vm cap = cylint_solid_is_hull(solid)
                        ? m_if(e->top, m_of_end(l->cap, 1), m_of_end(l->cap, 0))
                        : m_at_end(e->top, l->cap);
     return m_or(m_not(e->on_end), cap);

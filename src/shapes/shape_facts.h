@@ -205,7 +205,8 @@ CYLINT_INLINE int cylint_solid(int kind, int ends)
 }
 
 /* Of a solid: the radius of its section changes along the axis; it is bounded; its
- * ends are balls, or it is one. */
+ * ends are balls, or it is one; they are two balls; they are discs; two planes
+ * bound its lateral surface. */
 CYLINT_INLINE int cylint_solid_is_tapered(int solid)
 {
     return solid == CYLINT_SOLID_CONE || solid == CYLINT_SOLID_DOUBLE_CONE ||
@@ -220,6 +221,21 @@ CYLINT_INLINE int cylint_solid_is_bounded(int solid)
 CYLINT_INLINE int cylint_solid_is_round(int solid)
 {
     return solid >= CYLINT_SOLID_SPHERE;
+}
+
+CYLINT_INLINE int cylint_solid_is_hull(int solid)
+{
+    return solid > CYLINT_SOLID_SPHERE;
+}
+
+CYLINT_INLINE int cylint_solid_has_discs(int solid)
+{
+    return solid <= CYLINT_SOLID_CONE;
+}
+
+CYLINT_INLINE int cylint_solid_has_planes(int solid)
+{
+    return cylint_solid_has_discs(solid) || cylint_solid_is_hull(solid);
 }
 
 /* A double cone or a nappe.  They differ in so few branches that one kernel serves
