@@ -82,14 +82,11 @@ INLINE void describe_hits(cylint_question *q, const pair_line *in,
 
 /* ---------------------------------------------- from the nearest double -- */
 
-/* The surface of a hit at a moved origin, in lane 0: its residual there, the slope
- * of that along the line, and half its curvature. */
-typedef struct {
-    bounded_value residual, slope, curvature;
-} surface_beside;
-
-INLINE surface_beside surface_of(const source *from, const pair_line *in,
-                                 const hit_root *r, int solid)
+/* The residual of the surface of a hit at a moved origin, in lane 0.  Sets slope
+ * and curvature there. */
+INLINE bounded_value surface_of(estimate *at, const source *from,
+                                const pair_line *in, const hit_root *r,
+                                int solid)
 {
     const vd none = v_set(0), two = v_set(2);
     const vd size =
@@ -107,34 +104,28 @@ INLINE surface_beside surface_of(const source *from, const pair_line *in,
     v.B = bounded_B(f.B, &l, l.taper);
     count_all_roundings(&v, solid);
     const quadratic q = quadratic_of_end(&v, &e, solid);
-    surface_beside s = {
-        residual_at(in, &l, none, &e, solid), {two * q.B.v, two * q.B.e}, q.A};
+    const bounded_value x = residual_at(in, &l, none, &e, solid);
+    bounded_value slope = {two * q.B.v, two * q.B.e};
+    at->curvature = v_abs(q.A.v) + q.A.e;
     if (cylint_solid_has_discs(solid)) {
         bounded_value w = {l.in.w, v_set(CYLINT_LOCAL_POSITION) * l.unit * l.D};
         count_roundings(&w, 1);
-        s.slope = choose(r->on_end, w, s.slope);
-        s.curvature = choose(r->on_end, (bounded_value){none, none}, q.A);
+        slope = choose(r->on_end, w, slope);
+        at->curvature = v_select(r->on_end, none, at->curvature);
     }
+    at->slope = slope.v;
+    at->slope_error = slope.e;
     /* lane 1 is that of the plane at the top */
-    s.residual.v = v_select(r->top, v_turned(s.residual.v), s.residual.v);
-    s.residual.e = v_select(r->top, v_turned(s.residual.e), s.residual.e);
-    return s;
+    return choose(r->top, (bounded_value){v_turned(x.v), v_turned(x.e)}, x);
 }
 
 /*
  * The root of which t is the nearest double, from the origin moved to t or nearer
- * to the root.  With the step delta of Newton's, the slope s and half the curvature
- * c at the origin the root is
- *
- *   t - delta (1 + q + 2 q^2 + 5 q^3 ...),   q = c delta / s.
- *
- * The first two terms are taken: from far away delta^2 is not small beside the last
- * digits of a normal.  Where the error of the slope is at most a quarter of it, and
- * its quotient by c is at least 8 times the distance to the root, the root is this
- * one, the terms left out are at most 9 q^2 delta, and the errors of q do not
- * double those of delta.  Elsewhere the root is at the origin within twice the
- * rounding of t, or CYLINT_MEMBER_NEAR: this serves members that do not change
- * along the line.
+ * to the root, by a step of Newton's.  Where the error of the slope is at most 1/16
+ * of it and the curvature changes it by at most 1/8 on the way to the root, the
+ * residual is at least 13/16 of the slope times the distance, as step_from() takes
+ * it.  Elsewhere the root is at the origin within twice the rounding of t, or
+ * CYLINT_MEMBER_NEAR: this serves members that do not change along the line.
  */
 INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
                             int part, int solid)
@@ -142,27 +133,22 @@ INLINE hit_root root_beside(const source *from, const pair_line *in, double t,
     const vm on_end = m_if_all(part != CYLINT_PART_LATERAL),
              top = m_if_all(part == CYLINT_PART_CAP1);
     hit_root r = {v_set(0), v_set(0), v_set(0), on_end, top};
-    const surface_beside s = surface_of(from, in, &r, solid);
+    estimate at;
+    const bounded_value residual = surface_of(&at, from, in, &r, solid);
+    const root beside = step_from(v_set(0), residual, &at);
     const vd distance = v_set(CYLINT_ROUNDING * fabs(t)),
-             size = v_abs(s.slope.v);
-    const newton step = newton_step(s.residual, s.slope, v_set(0), distance);
-    const vd share = step.delta / s.slope.v, q = share * s.curvature.v;
-    const vd curvature = v_abs(s.curvature.v) + s.curvature.e,
-             most = v_abs(share) * curvature;
-    const vd second =
-        v_sum_of(v_set(9) * most, most, v_abs(share) * s.curvature.e);
-    const vd error = v_sum_of(v_abs(step.delta), second, v_set(2) * step.error);
-    const vm sure = m_and(v_le(v_set(4) * s.slope.e, size),
-                          v_le(v_set(8) * curvature * distance, size));
-    const vm near =
-        m_and(v_le(v_abs(step.delta), distance), v_le(error, distance));
+             size = v_abs(at.slope);
+    const vm sure = m_and(v_le(v_set(16) * at.slope_error, size),
+                          v_le(v_set(8) * at.curvature * distance, size));
+    const vm near = m_and(v_le(v_abs(beside.value), distance),
+                          v_le(beside.error, distance));
     const vm closer = m_and(sure, near);
     const vm in_range = v_lt(v_set(fabs(t)), v_set(1 / CYLINT_ROOT_LEAST));
     const vd rounding = v_select(
         in_range, v_sum_of(v_set(2), distance, v_set(CYLINT_MEMBER_NEAR)),
         v_set(HUGE_VAL));
-    r.tail = v_select(closer, -v_sum_of(step.delta, q, step.delta), v_set(0));
-    r.error = v_select(closer, error, rounding);
+    r.tail = v_select(closer, beside.value, v_set(0));
+    r.error = v_select(closer, beside.error, rounding);
     return r;
 }
 

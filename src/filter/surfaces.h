@@ -237,39 +237,6 @@ INLINE bounded_value residual_at(const pair_line *in, const local_line *l, vd t,
 
 /* ------------------------------------------------------ Newton's step --- */
 
-/*
- * Let f be a polynomial of degree 1 or 2 with the root t and f'(t) = s.  Then
- *
- *   f(t0) = s (t0 - t) + c (t0 - t)^2,   c = f'' / 2,
- *   t     = t0 - delta + c (t0 - t)^2 / s,   delta = f(t0) / s.
- *
- * With the slope at t0 in place of s only the sign of the last term changes.
- * For the lateral quadric Q(t) = A t^2 + 2 B t + C these are s = 2 (A t + B)
- * and c = A; for a plane c = 0.  tests/bounds/prove/local_newton.g proves that
- * CYLINT_LOCAL_SLACK suffices.
- */
-typedef struct {
-    vd delta, error; /* |t - (t0 - delta)| is at most the error */
-} newton;
-
-/* residual: f(t0), and slope; curvature: at least |c|; distance: at least
- * |t0 - t|. */
-INLINE newton newton_step(bounded_value residual, bounded_value slope,
-                          vd curvature, vd distance)
-{
-    const vd inverse = v_set(1) / slope.v;
-    /* mutant '*' -> '+': wider; slower */
-    const vd scaled = v_set(CYLINT_LOCAL_SLACK) * v_abs(inverse);
-    const vd relative = v_sum_of(
-        scaled, slope.e, v_set(CYLINT_LOCAL_SLACK * CYLINT_QUOTIENT_ROUNDING));
-    const vd delta = residual.v * inverse;
-    /* mutant '*' -> '+': wider, as these bounds are below 1; slower */
-    const vd first = v_sum_of(v_abs(delta), relative, scaled * residual.e);
-    /* mutant '*' -> '+': the same */
-    const vd error = v_sum_of(scaled * curvature * distance, distance, first);
-    return (newton){delta, error};
-}
-
 /* A root: value + tail with the error; low and high are bounds that are rounded.
  * nearest: value is certainly the nearest double.  From an estimate that is not
  * near, none of these holds. */
@@ -293,20 +260,38 @@ INLINE root bounded_root(vd value, vd tail, vd error)
     return r;
 }
 
-/* From the estimate, or from t near it.  The difference of t and the step has no
- * error or, where the step is larger than t, one rounding of it. */
+/*
+ * Let f be a polynomial of degree 1 or 2 with the root t and f'(t) = s.  Then
+ *
+ *   f(t0) = s (t0 - t) + c (t0 - t)^2,   c = f'' / 2,
+ *   t     = t0 - delta + c (t0 - t)^2 / s,   delta = f(t0) / s.
+ *
+ * With the slope at t0 in place of s only the sign of the last term changes.
+ * For the lateral quadric Q(t) = A t^2 + 2 B t + C these are s = 2 (A t + B)
+ * and c = A; for a plane c = 0.  tests/bounds/prove/local_newton.g proves that
+ * CYLINT_LOCAL_SLACK suffices.
+ *
+ * From the estimate, or from t near it.  The difference of t and the step has no
+ * error or, where the step is larger than t, one rounding of it.
+ */
 INLINE root step_from(vd t, bounded_value residual, const estimate *at)
 {
-    /* in multiples of CYLINT_LOCAL_DISTANCE, the curvature in its square */
-    const vd inverse = v_set(1) / at->slope;
-    const vd distance =
-        v_sum_of(residual.e, v_abs(inverse), v_abs(residual.v * inverse));
-    const newton step = newton_step(
-        residual, (bounded_value){at->slope, at->slope_error},
-        v_set(CYLINT_LOCAL_DISTANCE * CYLINT_LOCAL_DISTANCE) * at->curvature,
-        distance);
-    const vd value = t - step.delta;
-    return bounded_root(value, (t - value) - step.delta, step.error);
+    const vd inverse = v_set(1) / at->slope, delta = residual.v * inverse;
+    /* mutant '*' -> '+': wider; slower */
+    const vd scaled = v_set(CYLINT_LOCAL_SLACK) * v_abs(inverse);
+    const vd relative =
+        v_sum_of(scaled, at->slope_error,
+                 v_set(CYLINT_LOCAL_SLACK * CYLINT_QUOTIENT_ROUNDING));
+    /* |t0 - t| in multiples of CYLINT_LOCAL_DISTANCE, c in its square */
+    const vd distance = v_sum_of(residual.e, v_abs(inverse), v_abs(delta));
+    const vd c =
+        v_set(CYLINT_LOCAL_DISTANCE * CYLINT_LOCAL_DISTANCE) * at->curvature;
+    /* mutant '*' -> '+': wider, as these bounds are below 1; slower */
+    const vd first = v_sum_of(v_abs(delta), relative, scaled * residual.e);
+    /* mutant '*' -> '+': the same */
+    const vd error = v_sum_of(scaled * c * distance, distance, first);
+    const vd value = t - delta;
+    return bounded_root(value, (t - value) - delta, error);
 }
 
 /* -------------------------------------------------------------- hits ---- */

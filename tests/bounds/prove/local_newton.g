@@ -1,4 +1,4 @@
-# newton_step() of filter/surfaces.h, for the lateral quadric.  With s the true slope,
+# step_from() of filter/surfaces.h, for the lateral quadric.  With s the true slope,
 # the step from t0 has the error
 #
 #   Q / (2 s) - delta - A (t0 - t)^2 / (2 s),  delta = Q.hi / (2 s0) (1 + d),
