@@ -64,7 +64,6 @@ static inline vm m_and_not(vm a, vm b) { return (vm)(a & ~b); }
 static inline vm m_if(vm m, vm a, vm b) { return (vm)((m & a) | (~m & b)); }
 static inline unsigned m_bits(vm m) { return m; }
 static inline vm m_from(unsigned bits) { return (vm)bits; }
-#define V_HAS_FMA 1
 
 #elif !defined(CYLINT_NARROW) && defined(__AVX2__) && defined(__FMA__)
 
@@ -90,7 +89,6 @@ static inline vm m_from(unsigned bits)
     return _mm256_castsi256_pd(_mm256_cmpeq_epi64(lane,
         _mm256_and_si256(lane, _mm256_set1_epi64x((long long)bits))));
 }
-#define V_HAS_FMA 1
 
 #elif defined(__SSE2__)
 
@@ -126,11 +124,6 @@ static inline vm m_from(unsigned bits)
     return _mm_castsi128_pd(_mm_set_epi32(-(int)(bits >> 1 & 1),
         -(int)(bits >> 1 & 1), -(int)(bits & 1), -(int)(bits & 1)));
 }
-#ifdef __FMA__
-#define V_HAS_FMA 1
-#else
-#define V_HAS_FMA 0
-#endif
 
 #elif defined(__aarch64__) || (defined(CYLINT_NARROW) && defined(__GNUC__))
 
@@ -145,7 +138,6 @@ static inline vd v_abs(vd x) { return vabsq_f64(x); }
 static inline vd v_sqrt(vd x) { return vsqrtq_f64(x); }
 static inline vd v_fma(vd x, vd y, vd z) { return vfmaq_f64(z, x, y); }
 static inline vd v_float(vd x) { return vcvt_f64_f32(vcvt_f32_f64(x)); }
-#define V_HAS_FMA 1
 #else
 typedef double vd __attribute__((vector_size(16)));
 typedef int64_t vm __attribute__((vector_size(16)));
@@ -155,7 +147,6 @@ static inline vd v_sqrt(vd x)
 {
     return (vd){cylint_sqrt(x[0]), cylint_sqrt(x[1])};
 }
-#define V_HAS_FMA 0
 #endif
 static inline vd v_load(const double *x)
 {
@@ -211,6 +202,12 @@ static inline vm m_from(unsigned bits)
 
 #endif
 
+#if defined(__FMA__) || LANES == 8 || (LANES == 2 && defined(__aarch64__))
+#define V_HAS_FMA 1
+#else
+#define V_HAS_FMA 0
+#endif
+
 #if LANES == 1
 typedef double vd;
 typedef int vm;
@@ -233,11 +230,8 @@ static inline vm m_and_not(vm a, vm b) { return a & !b; }
 static inline vm m_if(vm m, vm a, vm b) { return m ? a : b; }
 static inline unsigned m_bits(vm m) { return (unsigned)m; }
 static inline vm m_from(unsigned bits) { return (int)bits; }
-#ifdef __FMA__
+#if V_HAS_FMA
 static inline vd v_fma(vd x, vd y, vd z) { return __builtin_fma(x, y, z); }
-#define V_HAS_FMA 1
-#else
-#define V_HAS_FMA 0
 #endif
 
 #endif
