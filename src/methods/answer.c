@@ -195,16 +195,11 @@ static void write_hit(const cylint_shape *shape, const cylint_line *line,
 
 /* -------------------------------------------------------------- answer -- */
 
-static void refuse(cylint_answer *answer)
+cylint_status cylint_method_not_applicable(cylint_answer *answer)
 {
     answer->relation = CYLINT_RELATION_MISS;
     answer->n = 0;
     answer->flags = CYLINT_FLAG_INVALID;
-}
-
-cylint_status cylint_method_not_applicable(cylint_answer *answer)
-{
-    refuse(answer);
     return CYLINT_EMETHOD;
 }
 
@@ -229,7 +224,7 @@ cylint_status cylint_method_report(const cylint_shape *shape,
                                    cylint_answer *answer)
 {
     if (!line->valid) {
-        refuse(answer);
+        cylint_method_not_applicable(answer);
         return CYLINT_OK;
     }
     answer->relation = chord->relation;
