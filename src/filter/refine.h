@@ -107,7 +107,7 @@ static int refine_line(cylint_question *q)
     v.ball.computed = 1;
     v.exists[0] = m_from(3);
     set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
-    load_pairs(&in, &from, 1, solid);
+    load_any_pairs(&in, shape, q->line, 1);
     if (solid == CYLINT_SOLID_WHOLE_CYLINDER && runs_along_axis(&from))
         return answer_along_axis(q, &l, &in);
     forms_in_pairs(&f, &v.ball, &l, &in, shape, solid);

@@ -5,11 +5,7 @@
  * Only exact products and their errors are fused: both write the same bits, but for
  * errors that underflow, of a slope or sine below 2^-900 that is not 0.
  */
-#ifdef __GNUC__
-#define CYLINT_NARROW /* two lanes */
-#else
-#define CYLINT_ONE_LANE
-#endif
+#define CYLINT_NARROW
 #include "local.h"
 
 #include <math.h>

@@ -4,11 +4,7 @@
  * They take a tenth of the time that pairs take, and most lines that a scene
  * tests need no more: signs are certain with the larger unit.
  */
-#ifdef __GNUC__
-#define CYLINT_NARROW /* two lanes */
-#else
-#define CYLINT_ONE_LANE
-#endif
+#define CYLINT_NARROW
 #include "local.h"
 
 #include <math.h>
