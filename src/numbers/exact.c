@@ -137,7 +137,8 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
     uint32_t *limb = take(arena, n);
     memset(limb, 0, (size_t)n * sizeof *limb);
     for (int i = 0; i < x.n; i++)
-        add_product(limb + i, x.limb[i], y.limb, y.n);
+        if (x.limb[i] != 0) /* most limbs of a sum of distant sizes are 0 */
+            add_product(limb + i, x.limb[i], y.limb, y.n);
     return trimmed(arena, limb, n, x.exponent + y.exponent, x.sign * y.sign);
 }
 
