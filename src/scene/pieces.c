@@ -43,6 +43,9 @@ static int begins_before(const numbered_chord *x, const numbered_chord *y)
 
 static const cylint_interval whole_domain = {0, 1};
 
+/* The most pieces for which the line is searched in order. */
+enum { FEW_PIECES = 4 };
+
 /* All chords that begin at `complete` or before are collected: of a line or, where
  * it is NULL, of a point.  A shape that contains the point has the chord [0, 1] of
  * the domain [0, 1]. */
@@ -53,11 +56,11 @@ typedef struct {
     numbered_chord *chord;
     size_t n, capacity; /* n counts those without room too */
     double complete;
-    /* of a search for the first pieces: how many are wanted, and whether they are
-     * of the union */
-    size_t pieces;
+    /* of a search for the first pieces, see keep_first_chord(): */
     int unites;
     double least_complete; /* `complete` is not reduced below this */
+    cylint_interval first[2 * FEW_PIECES + 1];
+    size_t n_first, most_first;
 } collector;
 
 static numbered_chord chord_of(const collector *c, const cylint_found *x)
@@ -75,79 +78,47 @@ static double keep_chord(void *context, const cylint_found *found)
     return HUGE_VAL;
 }
 
-/* Where piece number c->pieces of the union is expected to end, by the sorted
- * chords so far, or infinity. */
-static double end_of_united(const collector *c)
+/* Adds an interval to c->first, which are disjoint and ascend: joins it with those
+ * that it meets, and keeps the first. */
+static void add_interval(collector *c, cylint_interval x)
 {
-    size_t pieces = 0;
-    double end = -HUGE_VAL;
-    for (size_t i = 0; i < c->n; i++) {
-        const numbered_chord *x = &c->chord[i];
-        if ((i == 0 || cylint_less(end, x->t0)) && pieces++ == c->pieces)
-            return end;
-        if (cylint_less(end, x->t1))
-            end = x->t1;
+    size_t from = 0, to;
+    while (from < c->n_first && cylint_less(c->first[from].t1, x.t0))
+        from++;
+    for (to = from; to < c->n_first && !cylint_less(x.t1, c->first[to].t0);
+         to++) {
+        if (cylint_less(c->first[to].t0, x.t0))
+            x.t0 = c->first[to].t0;
+        if (cylint_less(x.t1, c->first[to].t1))
+            x.t1 = c->first[to].t1;
     }
-    return pieces == c->pieces ? end : HUGE_VAL;
+    memmove(&c->first[from + 1], &c->first[to], (c->n_first - to) * sizeof x);
+    c->first[from] = x;
+    c->n_first += from + 1 - to;
+    if (c->n_first > c->most_first)
+        c->n_first = c->most_first;
 }
 
-/* The same of the cells, each of which ends where a chord begins or ends. */
-static double end_of_cell(const collector *c)
-{
-    size_t cells = 0;
-    double t = -HUGE_VAL;
-    for (int was_inside = 0;;) {
-        double next = HUGE_VAL;
-        int is_inside = 0;
-        for (size_t i = 0; i < c->n; i++) {
-            const numbered_chord *x = &c->chord[i];
-            const int has_begun = !cylint_less(t, x->t0);
-            const double event = has_begun ? x->t1 : x->t0;
-            is_inside |= has_begun && cylint_less(t, event);
-            if (cylint_less(t, event) && cylint_less(event, next))
-                next = event;
-            if (!has_begun)
-                break;
-        }
-        if (was_inside && ++cells == c->pieces)
-            return t;
-        if (!cylint_less(t, next))
-            return HUGE_VAL;
-        was_inside = is_inside;
-        t = next;
-    }
-}
-
-static double end_of_last_piece(const collector *c)
-{
-    return c->unites ? end_of_united(c) : end_of_cell(c);
-}
-
-/* More chords are not kept sorted as they come: that would take too long. */
-enum { SORTED_CHORDS = 64 };
-
-/* Later chords can join two pieces, and so move the end of the last piece: the
- * search is complete up to the least of these ends. */
+/* Of a union c->first has the first pieces of the chords so far.  Else it has the
+ * first places where chords begin or end: among 2 k of them are the ends of k cells
+ * at least, because no gap follows another.  Later chords can join two pieces, and
+ * so move the end of the last piece: the search is complete up to the least of
+ * these ends. */
 static double keep_first_chord(void *context, const cylint_found *found)
 {
     collector *c = context;
-    const numbered_chord x = chord_of(c, found);
-    if (c->n >= c->capacity || c->n >= SORTED_CHORDS) {
-        keep_chord(c, found);
-        return c->complete;
+    const cylint_interval x = found->chord;
+    keep_chord(c, found);
+    add_interval(c, c->unites ? x : (cylint_interval){x.t0, x.t0});
+    if (!c->unites)
+        add_interval(c, (cylint_interval){x.t1, x.t1});
+    if (c->n_first == c->most_first) {
+        const double end = c->first[c->n_first - 1].t1;
+        const double limit =
+            cylint_less(end, c->least_complete) ? c->least_complete : end;
+        if (cylint_less(limit, c->complete))
+            c->complete = limit;
     }
-    size_t i = c->n;
-    while (i > 0 && begins_before(&x, &c->chord[i - 1]))
-        i--;
-    if (i > 0 && !begins_before(&c->chord[i - 1], &x))
-        return c->complete; /* found again */
-    memmove(&c->chord[i + 1], &c->chord[i], (c->n++ - i) * sizeof x);
-    c->chord[i] = x;
-    const double end = end_of_last_piece(c),
-                 limit = cylint_less(end, c->least_complete) ? c->least_complete
-                                                             : end;
-    if (cylint_less(limit, c->complete))
-        c->complete = limit;
     return c->complete;
 }
 
@@ -507,15 +478,16 @@ static void collect(collector *c, size_t pieces, double least_complete)
         .want = CYLINT_WANT_T, .is_of_chords = 1, .in_no_order = pieces == 0};
     c->n = 0;
     c->complete = HUGE_VAL;
-    c->pieces = pieces;
+    c->n_first = 0;
+    c->most_first = c->unites ? pieces : 2 * pieces;
     c->least_complete = least_complete;
     cylint_visit_line(c->scene, c->line, &options, HUGE_VAL,
                       pieces > 0 ? keep_first_chord : keep_chord, c);
 }
 
-/* The most pieces for which the line is searched in order, how many such searches
- * precede that for all chords, and how far each goes beyond the one before. */
-enum { FEW_PIECES = 4, SEARCHES = 8, FARTHER = 4 };
+/* How many searches in order precede that for all chords, and how far each goes
+ * beyond the one before. */
+enum { SEARCHES = 8, FARTHER = 4 };
 
 /* As cylint_scene_pieces().  Afterwards c->chord has the chords in shapes, and
  * s->chord those in solids: if there are s->capacity pieces, all that begin where
