@@ -462,7 +462,7 @@ typedef struct cylint_workspace {
  * member of.  An unbounded member of a bounded solid takes at most 256, its chords
  * included, and only if the line hits another shape of the solid.  So does a shape
  * that is a member more than 16 times, in solids with a clause of bounded shapes
- * that are fewer times.  A complement in an unbounded solid takes 48 more than its
+ * that are fewer times.  A complement in an unbounded solid takes 64 more than its
  * chords.  A refused line has no pieces.
  */
 CYLINT_API size_t cylint_scene_pieces(const cylint_scene *scene,

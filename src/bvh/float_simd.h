@@ -92,7 +92,6 @@ static inline vf m_select(vm m, vf x, vf y)
 
 static inline vf f_set(float x) { return MM(set1_ps)(x); }
 static inline vf f_load(const float *x) { return MM(loadu_ps)(x); }
-static inline float f_first(vf x) { return MM(cvtss_f32)(x); }
 static inline void f_store(float *x, vf v) { MM(storeu_ps)(x, v); }
 static inline vi i_set(uint32_t x) { return MM(set1_epi32)((int)x); }
 static inline vi i_load(const uint32_t *x)
@@ -138,7 +137,6 @@ typedef uint32_t vi;
 typedef unsigned vm;
 static inline vf f_set(float x) { return x; }
 static inline vf f_load(const float *x) { return *x; }
-static inline float f_first(vf x) { return x; }
 static inline vi i_load(const uint32_t *x) { return *x; }
 static inline vi i_load_shorts(const uint16_t *x) { return *x; }
 static inline vi i_right(vi x, int bits) { return x >> bits; }

@@ -159,7 +159,7 @@ static size_t traverse_all(const cylint_bvh *bvh, const cylint_bvh_line *line,
         if (w.n > 0 && w.n_leaves < LEAVES)
             continue;
         visited += (size_t)w.n_leaves;
-        for (int i = 0; i < w.n_leaves; i++) {
+        for (int i = 0; callback && i < w.n_leaves; i++) {
             const cylint_leaf *leaf =
                 &bvh->leaves[w.leaves[i] & ~CYLINT_LEAF_FLAG];
             const unsigned lanes =

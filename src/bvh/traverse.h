@@ -47,8 +47,8 @@ typedef int cylint_traverse_line(const cylint_bvh *bvh,
                                  int any);
 
 /* The same in no order: the callback gets no least[], and boxes beyond a lesser
- * tmax are visited, too.  Returns the number of nodes and leaves that were
- * visited. */
+ * tmax are visited, too.  Returns the number of nodes and leaves that were visited;
+ * without a callback (NULL) it only counts these. */
 typedef size_t cylint_traverse_all(const cylint_bvh *bvh,
                                    const cylint_bvh_line *line,
                                    cylint_leaf_callback *callback, void *self);

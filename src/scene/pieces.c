@@ -233,23 +233,15 @@ static void sweep_events(assembly *a, uint32_t solid, const cylint_event *event,
                        line ? line->tmax : whole_domain.t1, add_solid_chord, a);
 }
 
-/* In the order of solids: those with events, and those that contain all points
- * outside their shapes. */
+/* Adds the chords of all solids that have events. */
 static void sweep_solids(assembly *a)
 {
-    const cylint_solids *s = &a->from->scene->solids;
-    size_t next = 0, n;
-    for (size_t i = 0; i < a->n_events; i += n) {
+    for (size_t i = 0, n; i < a->n_events; i += n) {
         const uint32_t solid = a->event[i].solid;
         for (n = 1; i + n < a->n_events && a->event[i + n].solid == solid;)
             n++;
-        for (; next < s->n_holding && s->holding[next] < solid; next++)
-            sweep_events(a, s->holding[next], NULL, 0);
-        next += next < s->n_holding && s->holding[next] == solid;
         sweep_events(a, solid, a->event + i, n);
     }
-    for (; next < s->n_holding; next++)
-        sweep_events(a, s->holding[next], NULL, 0);
 }
 
 /* Writes upper bounds of the numbers of events and of chords in solids. */
@@ -257,8 +249,8 @@ static void count_events(const collector *c, size_t *events, size_t *chords)
 {
     const cylint_solids *s = &c->scene->solids;
     size_t late = 0;
-    *events = 0;
-    *chords = s->n_holding;
+    *events = s->n_holding;
+    *chords = 0;
     for (size_t i = 0; i < c->n; i++) {
         const uint32_t shape = c->chord[i].number,
                        first = s->first_of_shape[shape];
@@ -297,6 +289,8 @@ static size_t chords_of_solids(const collector *c, cylint_workspace *work,
     work->wanted = room.wanted;
     if (!a.event || !a.holding || !a.chord || !*spare)
         return CYLINT_NO_ROOM;
+    for (size_t i = 0; i < s->n_holding; i++) /* which no sweep reaches */
+        a.event[a.n_events++] = (cylint_event){HUGE_VAL, s->holding[i], 1};
     for (size_t i = 0; i < c->n; i++)
         add_chord_of_shape(&a, &c->chord[i]);
     cylint_sort_events(a.event, a.n_events, a.spare);
