@@ -139,18 +139,18 @@ static int bound_slice(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
              cylint_larger(s->k[0], s->k[1]) * s->across * (1 + slope));
     const double e = 0.875 + input_error;
     const int round = s->round;
-    const cylint_slice_hull part = cylint_slice_hull_of(s, slice);
-    const double k[2] = {part.k[0] * s->across * steps,
-                         part.k[1] * s->across * steps};
+    const cylint_slice_hull hull = cylint_slice_hull_of(s, slice);
+    const double k[2] = {hull.k[0] * s->across * steps,
+                         hull.k[1] * s->across * steps};
     const double across = cylint_larger(k[0], k[1]);
-    const double l = length * steps * (part.z[1] - part.z[0]);
+    const double l = length * steps * (hull.z[1] - hull.z[0]);
     const double out = sqrt(across * e);
     const double least =
         e + 4 +
         (l > 4 * e ? cylint_smaller(out, across * 2 * e / (l - 2 * e)) : out);
     double longer[2];
     for (int end = 0; end < 2; end++) {
-        const int is_disc = round && !part.is_ball[end];
+        const int is_disc = round && !hull.is_ball[end];
         longer[end] = (least + (is_disc ? 0 : across * slope)) / length;
     }
     if (capsule) {
@@ -163,8 +163,8 @@ static int bound_slice(cylint_leaf *leaf, int lane, const cylint_swept_disc *s,
     step_cylinder h = {.r = across + input_error + 0x1p-20};
     for (int j = 0; j < 3; j++) {
         const double from = base[j] - (double)leaf->center[j];
-        h.p[0][j] = (from + part.z[0] * axis[j]) * steps - longer[0] * axis[j];
-        h.p[1][j] = (from + part.z[1] * axis[j]) * steps + longer[1] * axis[j];
+        h.p[0][j] = (from + hull.z[0] * axis[j]) * steps - longer[0] * axis[j];
+        h.p[1][j] = (from + hull.z[1] * axis[j]) * steps + longer[1] * axis[j];
     }
     return ww > CYLINT_LEAST_SQUARE && input_error < 1 &&
            store_cylinder(leaf, lane, &h);

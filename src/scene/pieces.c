@@ -113,9 +113,8 @@ static double keep_first_chord(void *context, const cylint_found *found)
     if (!c->unites)
         add_interval(c, (cylint_interval){x.t1, x.t1});
     if (c->n_first == c->most_first) {
-        const double end = c->first[c->n_first - 1].t1;
         const double limit =
-            cylint_less(end, c->least_complete) ? c->least_complete : end;
+            cylint_larger(c->first[c->n_first - 1].t1, c->least_complete);
         if (cylint_less(limit, c->complete))
             c->complete = limit;
     }
@@ -249,7 +248,7 @@ static void count_events(const collector *c, size_t *events, size_t *chords)
 {
     const cylint_solids *s = &c->scene->solids;
     size_t late = 0;
-    *events = s->n_holding;
+    *events = s->n_outside;
     *chords = 0;
     for (size_t i = 0; i < c->n; i++) {
         const uint32_t shape = c->chord[i].number,
@@ -289,8 +288,8 @@ static size_t chords_of_solids(const collector *c, cylint_workspace *work,
     work->wanted = room.wanted;
     if (!a.event || !a.holding || !a.chord || !*spare)
         return CYLINT_NO_ROOM;
-    for (size_t i = 0; i < s->n_holding; i++) /* which no sweep reaches */
-        a.event[a.n_events++] = (cylint_event){HUGE_VAL, s->holding[i], 1};
+    for (size_t i = 0; i < s->n_outside; i++) /* which no sweep reaches */
+        a.event[a.n_events++] = (cylint_event){HUGE_VAL, s->outside[i], 1};
     for (size_t i = 0; i < c->n; i++)
         add_chord_of_shape(&a, &c->chord[i]);
     cylint_sort_events(a.event, a.n_events, a.spare);
@@ -468,8 +467,8 @@ static size_t pieces_of_chords(collector *c, cylint_workspace *work, sweep *s)
 /* Collects all chords, or enough for some pieces. */
 static void collect(collector *c, size_t pieces, double least_complete)
 {
-    const cylint_visit_options options = {
-        .want = CYLINT_WANT_T, .is_of_chords = 1, .in_no_order = pieces == 0};
+    const cylint_visit_options options = {.is_of_chords = 1,
+                                          .in_no_order = pieces == 0};
     c->n = 0;
     c->complete = HUGE_VAL;
     c->n_first = 0;

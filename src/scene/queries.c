@@ -125,7 +125,7 @@ static size_t sort_numbers(lowest_numbers *heap)
 
 /* The members computed for each hit.  The others are computed once, for the nearest
  * hit. */
-enum { EARLY_MEMBERS = CYLINT_WANT_T | CYLINT_WANT_PART };
+enum { COMPUTED = CYLINT_WANT_T | CYLINT_WANT_PART };
 
 /* Stores the nearest of the shapes beside the hierarchy.  Returns 0 and stores
  * nothing if that shape is `except`: the visit then tests each of them. */
@@ -134,9 +134,8 @@ static int keep_nearest_other(least_shape *q, const cylint_scene *scene,
 {
     cylint_hit hit;
     const size_t first =
-        scene->n_others > 0
-            ? cylint_nearest(&scene->pack, line, EARLY_MEMBERS, &hit)
-            : 0;
+        scene->n_others > 0 ? cylint_nearest(&scene->pack, line, COMPUTED, &hit)
+                            : 0;
     if (first == scene->n_others)
         return 1;
     if (scene->others[first] == except)
@@ -152,13 +151,13 @@ size_t cylint_scene_nearest_other(const cylint_scene *scene,
                                   const cylint_line *line, size_t except,
                                   unsigned want, cylint_hit *hit)
 {
-    const unsigned late = want & ~(unsigned)EARLY_MEMBERS;
+    const unsigned more = want & ~(unsigned)COMPUTED;
     cylint_shape shape;
     least_shape q = {
-        .number = scene->n, .least = HUGE_VAL, .shape = late ? &shape : NULL};
+        .number = scene->n, .least = HUGE_VAL, .shape = more ? &shape : NULL};
     const cylint_visit_options options = {
         .except = except,
-        .want = EARLY_MEMBERS,
+        .want = COMPUTED,
         .may_repeat = 1,
         .first_other =
             keep_nearest_other(&q, scene, line, except) ? scene->n_others : 0};
@@ -166,8 +165,8 @@ size_t cylint_scene_nearest_other(const cylint_scene *scene,
     const size_t number = q.number;
     if (number == scene->n)
         return number;
-    cylint_copy_hit(hit, &q.hit, want & EARLY_MEMBERS);
-    if (late)
+    cylint_copy_hit(hit, &q.hit, want & COMPUTED);
+    if (more)
         cylint_write_hit(&shape, line, &q.hit, want, hit);
     return number;
 }
@@ -230,16 +229,16 @@ size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
                             double radius, unsigned want,
                             cylint_closest *answer)
 {
-    const unsigned late = want & UNCOMPUTED;
+    const unsigned more = want & UNCOMPUTED;
     cylint_shape shape;
     least_shape q = {
-        .number = scene->n, .least = HUGE_VAL, .shape = late ? &shape : NULL};
+        .number = scene->n, .least = HUGE_VAL, .shape = more ? &shape : NULL};
     cylint_visit_point(scene, point, radius, cylint_nearness_of(want), 1,
                        keep_least, &q);
     const size_t number = q.number;
     if (number == scene->n)
         return number;
-    if (late) {
+    if (more) {
         cylint_distance(&shape, point, want, answer);
     } else {
         answer->distance = q.distance;

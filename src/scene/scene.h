@@ -32,7 +32,7 @@ typedef struct cylint_scene_solid {
     uint32_t first_clause;       /* in `complements` */
     uint32_t first_late, n_late; /* of `late` */
     int is_bounded; /* a clause consists of shapes in the hierarchy ... */
-    int is_led;     /* ... that few solids share */
+    int has_unshared_clause; /* ... that few solids share */
 } cylint_scene_solid;
 
 /* Added to the number of a late member's shape in `of_shapes`. */
@@ -49,8 +49,8 @@ typedef struct cylint_solids {
     cylint_scene_solid *solid;
     int32_t *complements; /* of each clause of each solid, how many */
     uint32_t *always;     /* shapes beside the hierarchy that all lines test */
-    uint32_t *holding; /* solids that contain all points outside their shapes */
-    size_t n_late, n_always, n_holding;
+    uint32_t *outside; /* solids that contain all points outside their shapes */
+    size_t n_late, n_always, n_outside;
     void *memory; /* of these arrays */
     size_t bytes;
 } cylint_solids;

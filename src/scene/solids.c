@@ -50,7 +50,7 @@ static void divide_memory(cylint_solids *s, const cylint_scene *scene)
         cylint_take_room(&room, scene->n + 1, sizeof *s->first_of_shape);
     s->solid = cylint_take_room(&room, s->n, sizeof *s->solid);
     s->always = cylint_take_room(&room, scene->n_others, sizeof *s->always);
-    s->holding = cylint_take_room(&room, s->n, sizeof *s->holding);
+    s->outside = cylint_take_room(&room, s->n, sizeof *s->outside);
     s->bytes = room.wanted;
 }
 
@@ -100,7 +100,7 @@ static void make_solid(const cylint_solids *s, const cylint_scene *scene,
     for (size_t i = 0; i < n; complements++) {
         const int32_t given = abs(member[i].clause),
                       clause = (int32_t)++solid->clauses;
-        int is_bounded = 1, is_led = 1;
+        int is_bounded = 1, is_unshared = 1;
         for (; i < n && abs(member[i].clause) == given; i++) {
             const uint32_t shape = member[i].shape;
             const int is_complement = member[i].clause < 0;
@@ -108,12 +108,12 @@ static void make_solid(const cylint_solids *s, const cylint_scene *scene,
             *lowest = shape < *lowest ? shape : *lowest;
             *complements += is_complement;
             is_bounded &= !is_complement && !cylint_is_other(scene, shape);
-            is_led &= !is_shared(s, shape);
+            is_unshared &= !is_shared(s, shape);
             member[i].clause = is_complement ? -clause : clause;
         }
         solid->failing += *complements == 0;
         solid->is_bounded |= is_bounded;
-        solid->is_led |= is_bounded && is_led;
+        solid->has_unshared_clause |= is_bounded && is_unshared;
     }
     solid->number = least < UINT32_MAX ? least : least_complement;
 }
@@ -160,7 +160,7 @@ static void mark_late(cylint_solids *s, const cylint_scene *scene)
         const cylint_scene_solid *solid = &s->solid[m->solid];
         if (cylint_is_other(scene, m->shape)
                 ? solid->is_bounded
-                : solid->is_led && is_shared(s, m->shape))
+                : solid->has_unshared_clause && is_shared(s, m->shape))
             m->shape += CYLINT_LATE_MEMBER;
     }
 }
@@ -186,7 +186,7 @@ static void list_always(cylint_solids *s, const cylint_scene *scene)
 {
     for (size_t i = 0; i < s->n; i++)
         if (s->solid[i].clauses > 0 && s->solid[i].failing == 0)
-            s->holding[s->n_holding++] = (uint32_t)i;
+            s->outside[s->n_outside++] = (uint32_t)i;
     for (size_t i = 0; i < scene->n_others; i++) {
         const uint32_t shape = scene->others[i],
                        first = s->first_of_shape[shape];

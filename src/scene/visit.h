@@ -39,9 +39,9 @@ typedef struct cylint_visit_options {
  * As cylint_scene_visit().  Hits beyond t = `last` are not wanted.
  *
  * is_of_chords: calls back for each chord of each shape, except late members
- * (scene.h).  A shape may come more than once, with the same chords.  `except` has
- * no effect; `want` is CYLINT_WANT_T, or 0 in no order.  Chords that begin beyond
- * the t that the callback returned last are not wanted.
+ * (scene.h).  A shape may come more than once, with the same chords.  `except` and
+ * `want` have no effect.  Chords that begin beyond the t that the callback returned
+ * last are not wanted.
  */
 void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                        const cylint_visit_options *options, double last,
