@@ -474,8 +474,9 @@ static void collect(collector *c, size_t pieces, double least_complete)
     c->n_first = 0;
     c->most_first = c->unites ? pieces : 2 * pieces;
     c->least_complete = least_complete;
-    cylint_visit_line(c->scene, c->line, &options, HUGE_VAL,
-                      pieces > 0 ? keep_first_chord : keep_chord, c);
+    if (!cylint_visit_line(c->scene, c->line, &options, HUGE_VAL,
+                           pieces > 0 ? keep_first_chord : keep_chord, c))
+        c->complete = HUGE_VAL;
 }
 
 /* How many searches in order precede that for all chords, and how far each goes

@@ -133,6 +133,7 @@ typedef struct {
     size_t except;
     unsigned want;
     int stopped;
+    int is_cut; /* a lesser `last` has ended the line in the hierarchy's box */
     int is_of_chords;
     cylint_use_found *callback;
     void *context;
@@ -246,9 +247,11 @@ static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
         if ((double)least[lane] > v->ray.line.tmax)
             continue;
         test_line_lane(v, leaf, lane);
-        if (v->last < last)
-            v->ray.line.tmax =
-                fmin(v->ray.line.tmax, cylint_frame_reach(&v->ray, v->last));
+        if (v->last < last) {
+            const double tmax = cylint_frame_reach(&v->ray, v->last);
+            v->is_cut |= tmax < v->ray.line.tmax;
+            v->ray.line.tmax = fmin(v->ray.line.tmax, tmax);
+        }
     }
     return v->stopped;
 }
@@ -352,9 +355,9 @@ static const uint32_t *others_of(const cylint_scene *scene, int are_early,
     return are_early ? scene->solids.always : scene->others;
 }
 
-void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
-                       const cylint_visit_options *options, double last,
-                       cylint_use_found *callback, void *context)
+int cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
+                      const cylint_visit_options *options, double last,
+                      cylint_use_found *callback, void *context)
 {
     size_t n;
     const uint32_t *others = others_of(scene, options->is_of_chords, &n);
@@ -372,7 +375,9 @@ void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
     begin_tests(&v.tested, options->may_repeat || options->is_of_chords);
     shorten_line(&v, last);
     test_each(&v, &v.stopped, test_line_at, others, options->first_other, n);
+    v.is_cut = cylint_less(v.last, line->tmax);
     traverse_lines(&v, options->in_no_order);
+    return v.is_cut;
 }
 
 /* --------------------------------------------------- a point and a shape -- */

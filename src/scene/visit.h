@@ -42,10 +42,12 @@ typedef struct cylint_visit_options {
  * (scene.h).  A shape may come more than once, with the same chords.  `except` and
  * `want` have no effect.  Chords that begin beyond the t that the callback returned
  * last are not wanted.
+ *
+ * Returns 0 if the t that the callback returned have left out no shape.
  */
-void cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
-                       const cylint_visit_options *options, double last,
-                       cylint_use_found *callback, void *context);
+int cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
+                      const cylint_visit_options *options, double last,
+                      cylint_use_found *callback, void *context);
 
 /* Which shapes a visit of a point finds. */
 typedef enum cylint_nearness {
