@@ -423,6 +423,7 @@ static void make_nodes(builder *b, const task *t)
             const size_t box = (size_t)(part->boxes - b->boxes);
             node->child[i] =
                 CYLINT_LEAF_FLAG | (uint32_t)(box / CYLINT_LEAF_SIZE);
+            node->leaves = (uint8_t)(node->leaves | 1u << i);
             continue;
         }
         const task child = {*part, number, t->depth + 1};

@@ -26,8 +26,8 @@ typedef struct cylint_node {
     float corner[3], step[3];
     uint8_t face[2][3][CYLINT_CHILDREN];
     uint32_t child[CYLINT_CHILDREN]; /* a node, or CYLINT_LEAF_FLAG | a leaf */
-    uint8_t children;                /* bits: the children that exist */
-    uint8_t spare[23];
+    uint8_t children, leaves; /* bits: children that exist; that are leaves */
+    uint8_t spare[22];
 } cylint_node;
 
 #define CYLINT_LEAF_FLAG 0x80000000u

@@ -16,7 +16,6 @@
  *   i_keep(p, x, m)      stores those of 8 integers x[] whose bits in m are 1, in
  *                        their order, and zeros up to the second integer at least;
  *                        returns how many.  May write up to 10 integers
- *   i_highest(x)         the highest bits of 8 integers x[]
  */
 #ifndef CYLINT_BVH_FLOAT_SIMD_H
 #define CYLINT_BVH_FLOAT_SIMD_H
@@ -196,18 +195,6 @@ static inline int i_keep(uint32_t to[10], const uint32_t x[8], unsigned bits)
     return n;
 }
 #endif
-
-static inline unsigned i_highest(const uint32_t x[8])
-{
-#ifdef EIGHT_LANES
-    return (unsigned)_mm256_movemask_ps(_mm256_castsi256_ps(i_load(x)));
-#else
-    unsigned bits = 0;
-    for (int i = 0; i < 8; i++)
-        bits |= x[i] >> 31 << i;
-    return bits;
-#endif
-}
 
 /* The lanes (bits) where x > y is false. */
 static inline unsigned f_not_greater(vf x, vf y)

@@ -46,9 +46,9 @@ static int add_node(sound_tree *t, int depth)
         return 0;
     for (unsigned i = 0; i < CYLINT_CHILDREN && bits >> i; i++) {
         const uint32_t child = node->child[i];
-        if (child & CYLINT_LEAF_FLAG) {
+        if (node->leaves >> i & 1) {
             if (t->leaf >= t->bvh->n_leaves ||
-                (child & ~CYLINT_LEAF_FLAG) != t->leaf ||
+                child != (CYLINT_LEAF_FLAG | t->leaf) ||
                 !leaf_is_sound(&t->bvh->leaves[t->leaf++], t->n))
                 return 0;
         } else if (child != t->node || !add_node(t, depth + 1)) {

@@ -132,7 +132,7 @@ static inline int visit_nodes(waiting *w, const ray_state *state)
         const cylint_node *node = &w->bvh->nodes[batch[i]];
         child_hits hits;
         const unsigned hit = children_on_line(state, node, &hits);
-        const unsigned leaves = i_highest(node->child) & hit;
+        const unsigned leaves = node->leaves & hit;
         n += keep_children(w->bvh, w->stack + n, node, hit & ~leaves, 0);
         n_leaves += keep_children(w->bvh, w->leaves + n_leaves, node, leaves,
                                   CYLINT_LEAF_FLAG);

@@ -42,7 +42,7 @@
 typedef enum { FILE_ARRAYS(NAME) SECTIONS } section;
 #undef NAME
 
-enum { FILE_VERSION = 2, FILE_BLOCK = 64, HEADER_BYTES = 512 };
+enum { FILE_VERSION = 3, FILE_BLOCK = 64, HEADER_BYTES = 512 };
 
 /* The bytes of this number are all different. */
 #define FILE_ORDER 0x1.23456789abcdep+7

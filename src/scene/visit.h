@@ -43,7 +43,7 @@ typedef struct cylint_visit_options {
  * `want` have no effect.  Chords that begin beyond the t that the callback returned
  * last are not wanted.
  *
- * Returns 0 if the t that the callback returned have left out no shape.
+ * Returns whether a t that the callback returned may have left out shapes.
  */
 int cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                       const cylint_visit_options *options, double last,

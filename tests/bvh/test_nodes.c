@@ -167,6 +167,8 @@ TEST(a_damaged_hierarchy_is_not_sound)
     } put_there[] = {{&node->children, 1, 0, 0},
                      {&node->children, 1, 0, 5},
                      {&node->children, 1, 0, node->children >> 1},
+                     {&node->leaves, 1, 0, node->leaves ^ 1u},
+                     {&end->leaves, 1, 0, end->leaves ^ 1u},
                      {&end->corner[0], 4, 0, nan},
                      {&end->corner[2], 4, 0, infinity},
                      {&end->step[1], 4, 0, infinity},
@@ -215,6 +217,7 @@ TEST(a_tree_of_nodes_without_gaps_and_of_the_greatest_depth_is_sound)
                               .n_nodes = depth,
                               .n_leaves = depth - 1};
             last->children = (uint8_t)bits;
+            last->leaves = 0xff;
             for (uint32_t i = 0; i < CYLINT_CHILDREN; i++) {
                 last->child[i] = CYLINT_LEAF_FLAG | (depth - 1 + i);
                 bvh.n_leaves += bits >> i != 0;
@@ -223,6 +226,7 @@ TEST(a_tree_of_nodes_without_gaps_and_of_the_greatest_depth_is_sound)
             CHECK(cylint_bvh_is_sound(&bvh, 1) ==
                   (!has_gaps && depth <= CYLINT_BVH_DEPTH));
             last->children = 3;
+            last->leaves = 1;
             last->child[1] = depth;
         }
 }
@@ -434,12 +438,13 @@ static void traverse_equal_boxes(int depth, int n_leaves, long leaves)
     cylint_bvh bvh = {.leaves = &leaf, .nodes = nodes};
     cylint_bvh_set_box(&bvh, &box, 0);
     for (int i = 0; i < depth; i++) {
+        const unsigned of_leaves = i == depth - 1 ? 0xff : (1u << n_leaves) - 1;
         nodes[i] = (cylint_node){{-1, -1, -1}, {1, 1, 1}, .children = 0xff};
+        nodes[i].leaves = (uint8_t)of_leaves;
         memset(nodes[i].face[1], 2, sizeof nodes[i].face[1]);
         for (int k = 0; k < CYLINT_CHILDREN; k++)
-            nodes[i].child[k] = k < n_leaves || i == depth - 1
-                                    ? CYLINT_LEAF_FLAG
-                                    : (uint32_t)i + 1;
+            nodes[i].child[k] =
+                of_leaves >> k & 1 ? CYLINT_LEAF_FLAG : (uint32_t)i + 1;
     }
     const cylint_traversal *const builds[] = {&cylint_traversal_plain,
                                               cylint_traversal_used()};
