@@ -2,6 +2,7 @@
 
 import contextlib
 import gc
+import inspect
 import os
 import re
 import resource
@@ -19,6 +20,32 @@ from conftest import ROD, drawn, equal, forest, rays, refused, same
 import libcylint as cylint
 
 BIG = 200_000
+
+
+def test_arguments_have_the_names_that_are_documented():
+    """Each function that reads no file, with all arguments by their names."""
+    shapes, point = forest(3, 30), [0.0, 0.0, 0.0]
+    given = dict.fromkeys("p0 c p v origins points".split(), point)
+    given |= dict.fromkeys("p1 a n u directions".split(), [1.0, 0.0, 0.0])
+    given |= dict.fromkeys("r r0 r1 k tangent degrees outer clause".split(), 1)
+    given |= {"shapes": shapes, "b": [0, 1, 0], "h": [0, 0, 1]}
+    given |= {"labels": "x", "shape": 0, "solid": 0}
+    scene = cylint.Scene(shapes=shapes, threads=None, progress=None)
+    called = 0
+    for of in (cylint, shapes, scene):
+        for name in cylint.__all__ if of is cylint else dir(of):
+            function = getattr(of, name)
+            if name[0] == "_" or not inspect.isroutine(function):
+                continue
+            taken = inspect.signature(function).parameters
+            if "path" in taken or name == "reshape":
+                continue
+            function(**{
+                key: given[key] if p.default is p.empty or key == "directions" else p.default
+                for key, p in taken.items()
+            })
+            called += 1
+    assert called > 30
 
 
 def test_threads_make_no_difference():

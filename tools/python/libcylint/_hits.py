@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import Doubles, Lines, broadcast, counted, takes, workers
+from ._arguments import Doubles, Lines, Progress, broadcast, counted, workers
 from ._described import Described, member
 from ._shapes import Shapes, checked
 
@@ -95,8 +95,12 @@ class Hits(DescribedHits):
         return f"<libcylint.Hits {self.n.shape}: {hits}>"
 
 
-@takes(Lines)
-def intersect(shapes: Shapes, lines: Lines) -> Hits:
+def intersect(
+    shapes: Shapes, origins: ArrayLike, directions: ArrayLike | None = None,
+    tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
+    errors: str = "raise", threads: int | None = None,
+    progress: Progress | None = None,
+) -> Hits:
     """Intersects lines o + t d, tmin <= t <= tmax, with shapes.
 
     origins, directions: (..., 3); tmin, tmax: (...).  They and the shapes
@@ -139,6 +143,10 @@ def intersect(shapes: Shapes, lines: Lines) -> Hits:
     >>> cylint.intersect(rod, rays, [0, 0, 1], errors="mask").relation
     array([ 3, -1], dtype=int8)
     """
+    lines = Lines(
+        origins, directions, tmin, tmax,
+        to=to, errors=errors, threads=threads, progress=progress,
+    )
     (shapes,) = checked([shapes])
     kinds, shape = shapes.kind, lines.shape
     if kinds.ndim > 0 and kinds.shape != shape:
