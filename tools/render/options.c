@@ -67,15 +67,13 @@ static int read_size(const struct option *o, const char *value, void *place)
 static int read_paint(const struct option *o, const char *value, void *place)
 {
     struct paint *paint = place;
-    const char *const *const words = o->extra;
-    char list[WORDS_CAPACITY], shown[SHOWN_CAPACITY];
     const int is_colour = read_colour(string_of(value), &paint->colour);
-    paint->word = find_word(WORDS(words), string_of(is_colour ? RGB : value));
-    if (is_colour || (paint->word != NOT_GIVEN && strcmp(value, RGB) != 0))
-        return 0;
-    return usage("--%s: expected %s, found '%s'", o->name,
-                 list_words(list, WORDS(words)),
-                 escape(shown, string_of(value), VALUE_MOST));
+    if (!is_colour && strcmp(value, RGB) == 0)
+        return usage("--%s: " RGB " stands for six digits, as in #ff8800",
+                     o->name);
+    return read_word_of(o, is_colour ? RGB : value,
+                        WORDS((const char *const *)o->extra), NULL,
+                        &paint->word);
 }
 
 static int read_xray(const struct option *o, const char *value, void *place)
