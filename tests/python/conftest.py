@@ -76,8 +76,9 @@ def command():
 
     def run(text, *options, **members):
         columns = ["-f", ",".join(members).replace("_", ",")] if members else []
+        digits = [] if "--save" in options else ["-x"]
         done = subprocess.run(
-            [program, "-x", *map(str, options), *columns],
+            [program, *digits, *map(str, options), *columns],
             input=text,
             capture_output=True,
             text=True,

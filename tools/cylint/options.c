@@ -68,8 +68,17 @@ static int read_query(const struct option *o, const char *value, void *place)
 
 /* ---------------------------------------------------------------- table -- */
 
-/* What an option needs. */
-enum needs { NEEDS_NOTHING, NEEDS_SCENE, NEEDS_PIECES, NEEDS_SOLIDS };
+/* What an option needs: most, 0 in the table, need other output than a scene; a
+ * query needs a scene, too. */
+enum needs {
+    NEEDS_ANSWERS,
+    NEEDS_NOTHING,
+    NEEDS_TEXT,
+    NEEDS_SCENE,
+    NEEDS_QUERY,
+    NEEDS_PIECES,
+    NEEDS_SOLIDS
+};
 
 static const char *const modes[] = {"owner", "union", "cells", "chords", NULL};
 static const char *const sums[] = {"label", "label:t", "total", "total:t",
@@ -85,7 +94,7 @@ static const char *const lists[] = {"methods", "shapes", "columns", NULL};
 static const struct option option_table[] = {
     {"k", "LINE,SHAPE", read_text, AT(kinds), 0, 0, 0,
      "records are bare numbers of these kinds; -s: -k LINE"},
-    {"s", "FILE", read_text, AT(scene), 0, 0, 0,
+    {"s", "FILE", read_text, AT(scene), 0, 0, NEEDS_NOTHING,
      "a scene, one SHAPE [ends=WORD] [SOLID]... [TAIL] a line,\n"
      "or a neuron: NAME.swc, or a file of --save\n"
      "SOLID: in=NAME[/CLAUSE] or out=NAME[/CLAUSE]"},
@@ -95,7 +104,7 @@ static const struct option option_table[] = {
      "write the scene as text instead of answers"},
     {"swc", "FORM", read_word, AT(swc), swc_forms, 0, NEEDS_SCENE,
      "the scene is a neuron, of cones (default) or round"},
-    {"q", "QUERY", read_query, AT(query), 0, 0, NEEDS_SCENE,
+    {"q", "QUERY", read_query, AT(query), 0, 0, NEEDS_QUERY,
      "with -s: nearest (default), first, any, count, all,\n"
      "pieces or inside"},
     {"pieces", "MODE", read_word, AT(piece_mode), modes, 0, NEEDS_PIECES,
@@ -111,16 +120,16 @@ static const struct option option_table[] = {
      "of -q pieces: sums of lengths, one for each label or of\n"
      "all: label, total; in multiples of the direction: label:t,\n"
      "total:t"},
-    {"not", "WHAT", read_word, AT(not_label), names_of_shapes, 0, NEEDS_SCENE,
+    {"not", "WHAT", read_word, AT(not_label), names_of_shapes, 0, NEEDS_QUERY,
      "with -s: a record's not=NAME leaves out the shape with\n"
      "this number (default) or those with this label"},
-    {"within", "R", read_radius, AT(radius), "a radius", 0, NEEDS_SCENE,
+    {"within", "R", read_radius, AT(radius), "a radius", 0, NEEDS_QUERY,
      "with -s: of points, shapes up to R away"},
     {"signed", 0, read_flag, AT(signed_flag), 0, CYLINT_SIGNED, 0,
      "of points: distances from closed solids"},
     {"f", "LIST", read_text, AT(columns), 0, 0, 0,
      "output columns, see --list=columns"},
-    {"ends", "WORD", read_word, AT(grammar.ends), ends_words, 0, 0,
+    {"ends", "WORD", read_word, AT(grammar.ends), ends_words, 0, NEEDS_NOTHING,
      "the ends of shapes without ends="},
     {"t", "MIN,MAX", read_domain, AT(grammar), "MIN,MAX with MIN <= MAX", 0, 0,
      "the domain of lines and rays"},
@@ -129,8 +138,8 @@ static const struct option option_table[] = {
     {"accel", "HOW", read_word, AT(accel), accels, 0, 0,
      "with -s: auto or none; the answers are the same"},
     {"p", "N", read_count, AT(style.digits), "1 to 17 digits",
-     NUMBER_MAX_DIGITS, 0, NULL},
-    {"x", 0, read_flag, AT(style.digits), 0, NUMBER_HEX, 0,
+     NUMBER_MAX_DIGITS, NEEDS_TEXT, NULL},
+    {"x", 0, read_flag, AT(style.digits), 0, NUMBER_HEX, NEEDS_TEXT,
      "N significant digits; hexadecimal"},
     {"d", "CHAR", read_separator, AT(style.separator), "one character", 0, 0,
      "output separator, instead of a tab"},
@@ -148,12 +157,12 @@ static const struct option option_table[] = {
     {"binary-in", 0, read_flag, AT(is_binary_in), 0, 1, 0, NULL},
     {"binary-out", 0, read_flag, AT(style.is_binary), 0, 1, 0,
      "little-endian doubles in and out, in, out (needs -k)"},
-    {"j", "N", read_count, AT(workers), "a number of workers", INT_MAX, 0,
-     "workers, at most; one for each processor by default"},
+    {"j", "N", read_count, AT(workers), "a number of workers", INT_MAX,
+     NEEDS_NOTHING, "workers, at most; one for each processor by default"},
     {"hits-only", 0, read_flag, AT(hits_only), 0, 1, 0,
      "only answers with a hit"},
     {"header", 0, read_flag, AT(writes_header), 0, 1, 0, "column names first"},
-    {"o", "FILE", read_text, AT(output), 0, 0, 0, "output file"},
+    {"o", "FILE", read_text, AT(output), 0, 0, NEEDS_NOTHING, "output file"},
     {"progress", 0, read_flag, AT(shows_progress), 0, 1, 0,
      "write the progress to standard error"},
     {"list", "=WHAT", read_about, AT(about), lists, 0, 0,
@@ -196,19 +205,26 @@ static int settle_kinds(struct options *o)
 
 static int settle_needs(struct options *o)
 {
+    static const char scene[] = "a scene, -s FILE",
+                      answers[] = "answers: --save and --text write none";
     const int is_pieces = o->scene && o->query == QUERY_PIECES;
-    const struct {
-        int is_met;
-        const char *what;
-    } needs[] = {[NEEDS_SCENE] = {o->scene != NULL, "a scene, -s FILE"},
-                 [NEEDS_PIECES] = {is_pieces, "the query -q pieces"},
-                 [NEEDS_SOLIDS] = {is_pieces || o->query == QUERY_INSIDE,
-                                   "the query -q pieces or -q inside"}};
+    const int is_answered = !o->save && !o->writes_text;
+    const char *const missing[] = {
+        [NEEDS_ANSWERS] = is_answered ? NULL : answers,
+        [NEEDS_TEXT] = o->save ? "text: --save writes none" : NULL,
+        [NEEDS_SCENE] = o->scene ? NULL : scene,
+        [NEEDS_QUERY] = !o->scene     ? scene
+                        : is_answered ? NULL
+                                      : answers,
+        [NEEDS_PIECES] = is_pieces ? NULL : "the query -q pieces",
+        [NEEDS_SOLIDS] = is_pieces || o->query == QUERY_INSIDE
+                             ? NULL
+                             : "the query -q pieces or -q inside"};
     for (int i = 0; option_table[i].name; i++) {
         const struct option *option = &option_table[i];
-        if (o->given >> i & 1 && option->needs && !needs[option->needs].is_met)
+        if (o->given >> i & 1 && missing[option->needs])
             return usage("%s%s needs %s", option->name[1] ? "--" : "-",
-                         option->name, needs[option->needs].what);
+                         option->name, missing[option->needs]);
     }
     return 0;
 }
@@ -319,8 +335,7 @@ static int check_combinations(struct options *o)
          "--save: needs a file, not standard output"},
         {o->save && (o->output || o->writes_text),
          "--save: the file of --save is the only output"},
-        {only_writes && (o->file_count > 0 || is_given(o, "q") || o->columns ||
-                         o->kinds || out),
+        {only_writes && o->file_count > 0,
          "--save and --text write the scene only: no answers"},
         {is_same_word(o->scene, "-") && uses_stdin(o) && !only_writes,
          "the scene and the records are both standard input"},
