@@ -135,7 +135,7 @@ static const struct option option_table[] = {
      "the domain of lines and rays"},
     {"method", "NAME", read_method, AT(method), "a method of --list=methods", 0,
      0, "answer by a published method, see --list=methods"},
-    {"accel", "HOW", read_word, AT(accel), accels, 0, 0,
+    {"accel", "HOW", read_word, AT(accel), accels, 0, NEEDS_QUERY,
      "with -s: auto or none; the answers are the same"},
     {"p", "N", read_count, AT(style.digits), "1 to 17 digits",
      NUMBER_MAX_DIGITS, NEEDS_TEXT, NULL},
