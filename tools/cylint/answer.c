@@ -153,7 +153,7 @@ static int read_doubles(struct task *task, const char *bytes, size_t size,
     if (available < size)
         return refuse(&task->notes, NULL, "the input ends within it");
     for (size_t i = 0; i < size / 8; i++)
-        numbers[i] = get_little_endian(bytes + 8 * i);
+        copy_little_endian(&numbers[i], bytes + 8 * i);
     return record_of_numbers(&task->job->options->grammar, numbers,
                              &task->record, &task->notes);
 }

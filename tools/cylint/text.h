@@ -101,36 +101,21 @@ static inline void put_word(struct text *t, const char *word)
 /* Appends a whole number in decimal digits. */
 void put_whole(struct text *t, unsigned long long value);
 
-/* The bits of a double whose eight bytes are the lowest first, and the
- * reverse. */
-static inline uint64_t little_endian(uint64_t bits)
+/* Copies a double to or from eight bytes of which the lowest is the first. */
+static inline void copy_little_endian(void *to, const void *from)
 {
     const uint16_t one = 1;
-    uint64_t reversed = 0;
     if (*(const unsigned char *)&one == 1)
-        return bits;
-    for (int i = 0; i < 8; i++)
-        reversed |= (bits >> 8 * i & 0xff) << (56 - 8 * i);
-    return reversed;
+        memcpy(to, from, sizeof(double));
+    else
+        for (size_t i = 0; i < sizeof(double); i++)
+            ((char *)to)[i] = ((const char *)from)[sizeof(double) - 1 - i];
 }
 
 static inline void put_little_endian(struct text *t, double value)
 {
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    bits = little_endian(bits);
-    memcpy(t->data + t->length, &bits, sizeof bits);
-    t->length += sizeof bits;
-}
-
-static inline double get_little_endian(const char bytes[8])
-{
-    uint64_t bits;
-    double value;
-    memcpy(&bits, bytes, sizeof bits);
-    bits = little_endian(bits);
-    memcpy(&value, &bits, sizeof value);
-    return value;
+    copy_little_endian(t->data + t->length, &value);
+    t->length += sizeof value;
 }
 
 /* --------------------------------------------------------------- words -- */
