@@ -4,8 +4,9 @@
 #ifndef CYLINT_INPUT_H
 #define CYLINT_INPUT_H
 
-#include "npy.h"
 #include "report.h"
+
+enum { FAULT_CAPACITY = SHOWN_CAPACITY + 100 /* bytes of a message */ };
 
 /* Whole records, and why the input ends after them. */
 struct block {
@@ -71,5 +72,17 @@ typedef int line_handler(void *context, const char *line, const char *end,
  * up to the first bad one, and prints the notes.  Returns 0, or an exit status. */
 int read_lines(const char *file, int cr_ends_lines, line_handler *handle,
                void *context);
+
+/* ---------------------------------------------- the header of .npy files -- */
+
+enum { NPY_PREFIX = 12 /* bytes that contain the header's length */ };
+
+/* Reads the header at the beginning of a file, of which `length` bytes are here, of
+ * an array of rows x columns doubles, little endian, row after row.  Returns its
+ * length, or 0 if there is none; if there are too few bytes, a number above
+ * `length`: NPY_PREFIX, or the header's length.  Writes a NUL over its last byte.
+ * If the header is wrong, writes a message that names the wrong field. */
+size_t npy_read(char *bytes, size_t length, size_t columns,
+                unsigned long long *rows, char wrong[FAULT_CAPACITY]);
 
 #endif

@@ -8,7 +8,7 @@
  */
 #include <stdio.h>
 
-#include "npy.h"
+#include "input.h"
 
 static const char magic[] = "\x93NUMPY";
 
