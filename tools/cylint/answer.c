@@ -45,29 +45,27 @@ void task_free(struct task *task)
 static void deliver(struct task *task)
 {
     struct job *job = task->job;
-    if (!wait_for_turn(job, task->ticket)) {
-        task->delivery = DELIVERY_REFUSED;
+    task->ends = !wait_for_turn(job, task->ticket);
+    if (task->ends)
         return;
-    }
     job->status = output_write(&job->out, task->out.data, task->out.length);
     task->out.length = 0;
     report_notes(&job->report, &task->notes, task->block.name);
-    task->delivery = job->status == 0 ? DELIVERY_DONE : DELIVERY_LAST;
+    task->ends = job->status != 0;
 }
 
 static void deliver_if_full(struct task *task)
 {
-    if (task->out.length >= TEXT_FULL && task->delivery == DELIVERY_DONE)
+    if (task->out.length >= TEXT_FULL && !task->ends)
         deliver(task);
 }
 
 int end_without_memory(struct task *task)
 {
     deliver(task);
-    if (task->delivery == DELIVERY_DONE) {
+    if (!task->ends)
         task->job->status = out_of_memory();
-        task->delivery = DELIVERY_LAST;
-    }
+    task->ends = 1;
     return 0;
 }
 
@@ -134,7 +132,7 @@ static void answer_text(struct task *task)
     const char *const end = b->text + b->length, *stop;
     task->notes.end = end;
     for (const char *line = b->text;
-         line < end && task->delivery == DELIVERY_DONE && !task->is_stopped;
+         line < end && !task->ends && !task->is_stopped;
          line = stop + 1, task->notes.line++) {
         stop = end_of_line(line, end);
         task->notes.text = line;
@@ -162,15 +160,14 @@ static void answer_doubles(struct task *task)
 {
     const struct block *b = &task->block;
     const size_t size = task->job->in.record_size;
-    for (size_t at = 0;
-         at < b->length && task->delivery == DELIVERY_DONE && !task->is_stopped;
+    for (size_t at = 0; at < b->length && !task->ends && !task->is_stopped;
          at += size)
         answer_or_mark(task,
                        read_doubles(task, b->text + at, size, b->length - at));
 }
 
 /* The end of the input, an input failure and -e stop end the work. */
-static enum delivery finish_block(struct task *task)
+static void finish_block(struct task *task)
 {
     struct job *job = task->job;
     const struct block *b = &task->block;
@@ -178,14 +175,13 @@ static enum delivery finish_block(struct task *task)
                  job->in.total);
     if (b->fault[0])
         job->status = complain(EXIT_IO, b->name, "%s", b->fault);
-    return b->length == 0 || task->is_stopped ? DELIVERY_LAST : DELIVERY_DONE;
+    task->ends = b->length == 0 || task->is_stopped;
 }
 
-enum delivery answer_block(struct task *task)
+void answer_block(struct task *task)
 {
     const struct block *b = &task->block;
-    task->delivery = DELIVERY_DONE;
-    task->is_stopped = 0;
+    task->ends = task->is_stopped = 0;
     task->row.record = (double)b->record;
     task->notes.record = b->record_of_file;
     task->notes.line = b->line;
@@ -195,8 +191,8 @@ enum delivery answer_block(struct task *task)
         answer_doubles(task);
     else
         answer_text(task);
-    if (task->delivery == DELIVERY_DONE)
+    if (!task->ends)
         deliver(task);
-    return task->delivery == DELIVERY_DONE ? finish_block(task)
-                                           : task->delivery;
+    if (!task->ends)
+        finish_block(task);
 }

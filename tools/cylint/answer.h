@@ -40,13 +40,6 @@ struct job {
     int status; /* exit status of the work */
 };
 
-/* Of the answers of a block. */
-enum delivery {
-    DELIVERY_DONE,   /* the block's ticket is still the next */
-    DELIVERY_LAST,   /* the same, and the work ends: see job->status */
-    DELIVERY_REFUSED /* the work ended before its ticket was the next */
-};
-
 /* What a worker does: a block of records, and what changes while they are
  * answered. */
 struct task {
@@ -58,8 +51,8 @@ struct task {
 
     struct text out;
     struct notes notes;
-    enum delivery delivery; /* the last one */
-    int is_stopped;         /* at a bad record, by -e stop */
+    int ends;       /* the work ends with this block, or has ended before it */
+    int is_stopped; /* at a bad record, by -e stop */
 
     struct record record; /* the present record */
     struct left_out left_out;
@@ -72,8 +65,8 @@ struct task *task_make(struct job *job);
 void task_free(struct task *task);
 
 /* Answers all records of its block, and delivers the answers in the order of
- * the tickets. */
-enum delivery answer_block(struct task *task);
+ * the tickets.  Sets task->ends. */
+void answer_block(struct task *task);
 
 /* Writes the row of the present record's answer. */
 void put_answer(struct task *task, int is_hit);

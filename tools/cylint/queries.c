@@ -259,7 +259,7 @@ static int answer_all(struct task *task)
     if (r->is_point && s.count > 0)
         qsort(task->pieces.number, s.count, sizeof *task->pieces.number,
               compare_numbers);
-    for (size_t i = 0; i < s.count && task->delivery == DELIVERY_DONE; i++)
+    for (size_t i = 0; i < s.count && !task->ends; i++)
         if (!is_left_out(task, task->pieces.number[i]))
             put_shape(task, task->pieces.number[i] + 1);
     return 0;
@@ -329,7 +329,7 @@ static int answer_pieces(struct task *task)
         return end_without_memory(task);
     row->answer.n = 2;
     row->unit = cylint_line_length(&task->record.line);
-    for (size_t i = 0; i < found && task->delivery == DELIVERY_DONE; i++) {
+    for (size_t i = 0; i < found && !task->ends; i++) {
         const cylint_piece *piece = &task->pieces.piece[i];
         row->answer.hit[0].t = piece->t0;
         row->answer.hit[1].t = piece->t1;

@@ -25,14 +25,23 @@ int wait_for_turn(struct job *job, unsigned long long ticket)
     return is_mine;
 }
 
-/* Lets the following ticket write, or ends the work. */
+static void close_pipe_end(int fd)
+{
+    if (fd >= 0)
+        close(fd);
+}
+
+/* Lets the following ticket write, or ends the work, once. */
 static void pass_turn(struct job *job, int ends)
 {
     pthread_mutex_lock(&job->order);
+    const int is_first_end = ends && !job->has_ended;
     job->next_written++;
-    job->has_ended = ends;
+    job->has_ended |= ends;
     pthread_cond_broadcast(&job->changed);
     pthread_mutex_unlock(&job->order);
+    if (is_first_end)
+        close_pipe_end(job->end_pipe[1]);
 }
 
 static int has_ended(struct job *job)
@@ -89,22 +98,12 @@ static int read_block(struct task *task)
     return !ended;
 }
 
-static void close_pipe_end(int fd)
-{
-    if (fd >= 0)
-        close(fd);
-}
-
 static void *work(void *context)
 {
     struct task *task = context;
-    struct job *job = task->job;
     while (read_block(task)) {
-        const enum delivery status = answer_block(task);
-        if (status != DELIVERY_REFUSED)
-            pass_turn(job, status == DELIVERY_LAST);
-        if (status == DELIVERY_LAST)
-            close_pipe_end(job->end_pipe[1]);
+        answer_block(task);
+        pass_turn(task->job, task->ends);
     }
     return NULL;
 }
