@@ -7,7 +7,7 @@ import operator
 import os
 from collections.abc import Callable
 from functools import wraps
-from inspect import Parameter, signature
+from inspect import signature
 from typing import Any, Concatenate, ParamSpec, TypeVar
 
 import numpy as np
@@ -32,7 +32,7 @@ if hasattr(os, "register_at_fork"):
 def takes(make: Callable[_P, _Made]) -> Callable[
     [Callable[[_Self, _Made], _Answer]], Callable[Concatenate[_Self, _P], _Answer]
 ]:
-    """Gives function(self, made) the arguments from which `make` makes `made`."""
+    """Gives the method function(self, made) the arguments that `make` makes `made` of."""
 
     def decorate(
         function: Callable[[_Self, _Made], _Answer],
@@ -47,11 +47,7 @@ def takes(make: Callable[_P, _Made]) -> Callable[
             return function(self, made)
 
         own = signature(function)
-        first = next(iter(own.parameters.values()))
-        shown = [
-            first.replace(kind=Parameter.POSITIONAL_ONLY),
-            *signature(make).parameters.values(),
-        ]
+        shown = [own.parameters["self"], *signature(make).parameters.values()]
         call.__signature__ = own.replace(parameters=shown)  # type: ignore[attr-defined]
         return call
 
