@@ -200,15 +200,14 @@ class Lines:
     """Lines of any shape, broadcast.
 
     to: the other ends of segments, in place of directions.
+    exclude: the number of the shape of a scene that a line leaves out, -1 for none.
     errors: "mask" if lines that are refused hit nothing; else they are raised.
     """
-
-    left_out: NDArray[np.int64] = _NONE
 
     def __init__(
         self, origins: ArrayLike, directions: ArrayLike | None = None,
         tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
-        errors: str = "raise", threads: int | None = None,
+        exclude: ArrayLike = -1, errors: str = "raise", threads: int | None = None,
         progress: Progress | None = None,
     ) -> None:
         if errors not in ("raise", "mask"):
@@ -230,6 +229,11 @@ class Lines:
         self.shape = broadcast(
             f"origins {second} tmin tmax", o[..., 0], d[..., 0], start, end
         )
+        self.left_out = _NONE
+        if not (isinstance(exclude, int) and exclude == -1):
+            self.left_out = integers("exclude", exclude)
+            lines = np.broadcast_to(_NONE, self.shape)
+            self.shape = broadcast("lines exclude", lines, self.left_out)
 
     def keep(self) -> None:
         """Lets these lines own their arrays, for members computed later."""
@@ -238,44 +242,19 @@ class Lines:
 
     def core(self, shapes: int | None = None) -> _core.Lines:
         """shapes: how many the scene has, which bounds `exclude`."""
-        return _core.Lines(*self.arrays, self.left_out, self.segments, self.masked)
-
-    def refuse(self) -> ValueError:
-        """The error that names the first refused line and the reason."""
-        index, status = _core.first_bad_line(self.core())
-        return ValueError(f"line{place(index, self.shape)}: {_core.strerror(status)}")
-
-
-class SceneLines(Lines):
-    """Lines of any shape, each of which can leave out a shape of a scene.
-
-    exclude: the number of the shape, -1 for none.
-    """
-
-    def __init__(
-        self, origins: ArrayLike, directions: ArrayLike | None = None,
-        tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
-        exclude: ArrayLike = -1, errors: str = "raise", threads: int | None = None,
-        progress: Progress | None = None,
-    ) -> None:
-        super().__init__(
-            origins, directions, tmin, tmax,
-            to=to, errors=errors, threads=threads, progress=progress,
-        )
-        if not (isinstance(exclude, int) and exclude == -1):
-            self.left_out = integers("exclude", exclude)
-            lines = np.broadcast_to(_NONE, self.shape)
-            self.shape = broadcast("lines exclude", lines, self.left_out)
-
-    def core(self, shapes: int | None = None) -> _core.Lines:
-        if shapes is not None and self.left_out is not _NONE:
-            numbers = self.left_out
+        numbers = self.left_out
+        if shapes is not None and numbers is not _NONE:
             wrong = (numbers < -1) | (numbers >= shapes)
             if wrong.any():
                 raise IndexError(
                     f"{first_of('exclude', numbers, wrong)}, the scene has {shapes} shapes"
                 )
-        return super().core()
+        return _core.Lines(*self.arrays, numbers, self.segments, self.masked)
+
+    def refuse(self) -> ValueError:
+        """The error that names the first refused line and the reason."""
+        index, status = _core.first_bad_line(self.core())
+        return ValueError(f"line{place(index, self.shape)}: {_core.strerror(status)}")
 
 
 class Points:

@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import (
-    Balls, Doubles, Lines, Points, Progress, SceneLines, broadcast, counted,
-    first_of, integers, positive, takes, whole, workers,
+    Balls, Doubles, Lines, Points, Progress, broadcast, counted, first_of, integers,
+    positive, takes, whole, workers,
 )
 from ._closest import ClosestPoints, ShapesWithin
 from ._files import read_begun
@@ -40,7 +40,7 @@ class NearestHits(DescribedHits):
     index: NDArray[np.int64]
     part: NDArray[np.int8]
 
-    def __init__(self, scene: _core.Scene, lines: SceneLines, columns: Any) -> None:
+    def __init__(self, scene: _core.Scene, lines: Lines, columns: Any) -> None:
         self.index, self.t, self.part = columns
         self._scene = scene, self.index.copy(), False
         super().__init__(lines, self.t.shape)
@@ -299,8 +299,8 @@ class Scene:
         table = found.view(rows)
         return [np.ascontiguousarray(table[name]) for name in table.dtype.names]
 
-    @takes(SceneLines)
-    def nearest(self, lines: SceneLines) -> NearestHits:
+    @takes(Lines)
+    def nearest(self, lines: Lines) -> NearestHits:
         """The first shape that each line hits, that of least t.
 
         Arguments as for `intersect`.  At equal t the lower number is first.
@@ -319,24 +319,24 @@ class Scene:
         lines.keep()
         return NearestHits(self._scene, lines, columns)
 
-    @takes(SceneLines)
-    def any(self, lines: SceneLines) -> NDArray[np.bool_]:
+    @takes(Lines)
+    def any(self, lines: Lines) -> NDArray[np.bool_]:
         """Whether each line hits a shape: (...) bool.
 
         Arguments as for `nearest`.
         """
         return self._answer(_core.Scene.any, lines, "?")[0]
 
-    @takes(SceneLines)
-    def count(self, lines: SceneLines) -> NDArray[np.int64]:
+    @takes(Lines)
+    def count(self, lines: Lines) -> NDArray[np.int64]:
         """How many shapes each line hits: (...) int64.
 
         Arguments as for `nearest`.
         """
         return self._answer(_core.Scene.count, lines, "i")[0]
 
-    @takes(SceneLines)
-    def all(self, lines: SceneLines) -> AllHits:
+    @takes(Lines)
+    def all(self, lines: Lines) -> AllHits:
         """All shapes that each line hits, as flat arrays.
 
         Arguments as for `nearest`.
@@ -507,8 +507,12 @@ class Scene:
         rule = _core.Scene.Rule(0, self._integers("rank", rank), None, 0, False)
         return Depths(*self._answer(_core.Scene.depth, given, "ii", rule))
 
-    @takes(Lines)
-    def first_boundary(self, lines: Lines) -> Boundaries:
+    def first_boundary(
+        self, origins: ArrayLike, directions: ArrayLike | None = None,
+        tmin: ArrayLike = 0.0, tmax: ArrayLike = np.inf, *, to: ArrayLike | None = None,
+        errors: str = "raise", threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Boundaries:
         """Where each line first enters or leaves the union of all solids.
 
         Arguments as for `intersect`.  Places at tmin and tmax do not count.
@@ -519,6 +523,10 @@ class Scene:
         >>> wall.index, wall.t, wall.normal[1]
         (array([0, 1]), array([3., 1.]), array([-1.,  0.,  0.]))
         """
+        lines = Lines(
+            origins, directions, tmin, tmax,
+            to=to, errors=errors, threads=threads, progress=progress,
+        )
         return Boundaries(*self._answer(_core.Scene.first_boundary, lines, "itvvbb"))
 
     @takes(Balls)
