@@ -15,7 +15,7 @@
 #include "cylint_distance.h"
 #include "oracle.h"
 #include "real.h"
-#include "shapes/layout.h"
+#include "shapes/shape_facts.h"
 
 /* distance_oracle_elliptic.c; size: the distance, not rounded */
 void oracle_elliptic_distance(const cylint_shape *shape, const double point[3],
@@ -86,36 +86,13 @@ static planar divided(planar p, real by)
 
 /* ------------------------------------------------- shape and point ----- */
 
-static int axis_is_data(const cylint_shape *shape)
-{
-    return shape->kind == CYLINT_KIND_ACONE ||
-           shape->kind == CYLINT_KIND_HALFSPACE;
-}
-
-static long range_of_data(const cylint_shape *shape, const double point[3])
-{
-    const double radii[2] = {cylint_r0(shape), cylint_r1(shape)};
-    exponents e = no_exponents;
-    widen(&e, point, 3);
-    widen(&e, cylint_base(shape), 3);
-    widen(&e, radii, 2);
-    if (axis_is_data(shape))
-        widen(&e, cylint_axis(shape), 3);
-    else if (shape->kind != CYLINT_KIND_SPHERE)
-        widen(&e, cylint_top(shape), 3);
-    return range_of(e);
-}
-
 /* The unit vector away from the axis through the point; on the axis e x w. */
 static void load_across(void)
 {
     vector c;
     cross(c, g.q, g.w);
     if (sign_of(c[0]) == 0 && sign_of(c[1]) == 0 && sign_of(c[2]) == 0) {
-        const int least = least_component(g.w);
-        vector e = {real_of(least == 0), real_of(least == 1),
-                    real_of(least == 2)};
-        cross(g.across, e, g.w);
+        perpendicular(g.across, g.w);
         g.point.rho = g.zero;
     } else {
         cross(g.across, g.w, c); /* |w|^2 q - (w.q) w */
@@ -131,10 +108,10 @@ static void load(const cylint_shape *shape, const double point[3])
     set_difference(g.q, point, cylint_base(shape));
     if (shape->kind == CYLINT_KIND_SPHERE)
         set(g.w, any_axis);
-    else if (axis_is_data(shape))
-        set(g.w, cylint_axis(shape));
-    else
+    else if (cylint_has_end_points(shape->kind))
         set_difference(g.w, cylint_top(shape), cylint_base(shape));
+    else
+        set(g.w, cylint_axis(shape));
     g.length = norm(g.w);
     g.point.s = over(dot(g.q, g.w), g.length);
     load_across();
@@ -388,13 +365,12 @@ void oracle_distance(const cylint_shape *shape, const double point[3],
     if (!is_ready)
         mpfr_init(last_);
     is_ready = 1;
-    if (shape->kind == CYLINT_KIND_ECYLINDER ||
-        shape->kind == CYLINT_KIND_ECONE) {
+    if (cylint_is_elliptic(shape->kind)) {
         oracle_elliptic_distance(shape, point, expected, last_);
         return;
     }
     const int side = oracle_contains(shape, point);
-    for (real_start(range_of_data(shape, point)); real_again();)
+    for (real_start(range_of_question(shape, point)); real_again();)
         circular_distance(shape, point, side, expected);
 }
 

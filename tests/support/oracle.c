@@ -9,7 +9,7 @@
  * answer follows from that.  Of a half-space F is linear.
  */
 #include "oracle.h"
-#include "shapes/layout.h"
+#include "shapes/shape_facts.h"
 
 enum { BOUNDS = 2, FUNCTIONS = 1 + BOUNDS, PIECES = 3, TERMS = 5 };
 enum { MOST_CRITICAL = 2 * PIECES + PIECES * BOUNDS };
@@ -82,18 +82,18 @@ static polynomial beyond(real by, const polynomial *p, int sign)
     return moved;
 }
 
-static void add_term(quadric *q, real s, vector v, polynomial L)
+/* s (v.(p - base) + constant)^2 */
+static void add_term(quadric *q, real s, vector v, real constant)
 {
-    polynomial *F = &q->F;
+    polynomial *F = &q->F, *L = &q->term[q->count].L;
     if (q->count == 0)
         F->c[0] = F->c[1] = F->c[2] = real_of(0);
     memcpy(q->term[q->count].v, v, sizeof(vector));
-    q->term[q->count].s = s;
-    q->term[q->count++].L = L;
-    const real by[2] = {times(s, L.c[0]), times(s, L.c[1])};
+    q->term[q->count++].s = s;
+    *L = along_line(v, constant);
     for (int i = 0; i < 2; i++)
         for (int j = 0; j < 2; j++)
-            F->c[i + j] = plus(F->c[i + j], times(by[i], L.c[j]));
+            F->c[i + j] = plus(F->c[i + j], times(times(s, L->c[i]), L->c[j]));
 }
 
 /* s |p - base - center|^2; no center: the base */
@@ -101,8 +101,7 @@ static void add_distance(quadric *q, real s, const real *center)
 {
     for (int i = 0; i < 3; i++) {
         vector e = {real_of(i == 0), real_of(i == 1), real_of(i == 2)};
-        const real from = center ? minus(o_.q[i], center[i]) : o_.q[i];
-        add_term(q, s, e, (polynomial){{from, o_.d[i], real_of(0)}});
+        add_term(q, s, e, center ? negated(center[i]) : real_of(0));
     }
 }
 
@@ -111,58 +110,11 @@ static void subtract_radius(quadric *q, vector v)
 {
     vector by;
     scale(by, o_.delta, v);
-    o_.rho = along_line(by, o_.gamma);
-    add_term(q, real_of(-1), by, o_.rho);
+    add_term(q, real_of(-1), by, o_.gamma);
+    o_.rho = q->term[q->count - 1].L;
 }
 
 /* -------------------------------------------------------------- shapes -- */
-
-/* Whether the axis is the difference of two points.  o_.circular and o_.plane are
- * set. */
-static int has_end_points(const cylint_shape *s)
-{
-    return o_.circular && !o_.plane && s->kind != CYLINT_KIND_ACONE;
-}
-
-/* Reads the kind.  Returns the range of the exponents of the lengths, or of the
- * factor and 1 if that is larger. */
-static long load_kind(const cylint_shape *s, const double o[3])
-{
-    const double r[3] = {cylint_r0(s), cylint_r1(s), 1};
-    exponents lengths = no_exponents, factor = no_exponents;
-    o_.circular =
-        s->kind != CYLINT_KIND_ECYLINDER && s->kind != CYLINT_KIND_ECONE;
-    o_.round = s->kind == CYLINT_KIND_SPHERE ||
-               s->kind == CYLINT_KIND_CAPSULE || s->kind == CYLINT_KIND_RCONE;
-    o_.plane = s->kind == CYLINT_KIND_HALFSPACE;
-    o_.nappe = s->ends == CYLINT_ENDS_NAPPE;
-    o_.bounded = !o_.nappe && s->ends != CYLINT_ENDS_INFINITE;
-    widen(&lengths, o, 3);
-    widen(&lengths, cylint_base(s), 3);
-    if (has_end_points(s)) {
-        widen(&lengths, cylint_top(s), 3);
-        widen(&lengths, r, 2);
-        return range_of(lengths);
-    }
-    widen(&lengths, cylint_axis(s), 3);
-    widen(&factor, r, 3);
-    if (!o_.circular) {
-        widen(&lengths, cylint_a(s), 3);
-        widen(&lengths, cylint_b(s), 3);
-    }
-    const long of_lengths = range_of(lengths), of_factor = range_of(factor);
-    return of_lengths > of_factor ? of_lengths : of_factor;
-}
-
-static void load_origin(const cylint_shape *s, const double o[3])
-{
-    set(o_.o, o);
-    set_difference(o_.q, o, cylint_base(s));
-    if (has_end_points(s))
-        set_difference(o_.w, cylint_top(s), cylint_base(s));
-    else
-        set(o_.w, cylint_axis(s));
-}
 
 /*
  * With Z = q.w, W = |w|^2, z = Z / W:
@@ -182,7 +134,7 @@ static void load_circular(const cylint_shape *s, quadric *q)
     if (!by_tangent)
         o_.delta = minus(o_.delta, r0);
     add_distance(q, by_tangent ? W : times(W, W), NULL);
-    add_term(q, negated(by_tangent ? real_of(1) : W), o_.w, o_.Z);
+    add_term(q, negated(by_tangent ? real_of(1) : W), o_.w, real_of(0));
     subtract_radius(q, o_.w);
 }
 
@@ -211,8 +163,8 @@ static void load_elliptic(const cylint_shape *s, quadric *q)
     o_.gamma = o_.whole;
     o_.delta = minus(real_of(s->kind == CYLINT_KIND_ECONE ? cylint_r1(s) : 1),
                      real_of(1));
-    add_term(q, real_of(1), o_.gx, o_.X);
-    add_term(q, real_of(1), o_.gy, o_.Y);
+    add_term(q, real_of(1), o_.gx, real_of(0));
+    add_term(q, real_of(1), o_.gy, real_of(0));
     subtract_radius(q, o_.gz);
 }
 
@@ -233,10 +185,9 @@ static void load_straight(const cylint_shape *s)
 
 static void load_ball(quadric *q, const real *center, double r)
 {
-    const real zero = real_of(0);
-    vector nothing = {zero, zero, zero};
+    vector nothing = {real_of(0), real_of(0), real_of(0)};
     add_distance(q, real_of(1), center);
-    add_term(q, real_of(-1), nothing, (polynomial){{real_of(r), zero, zero}});
+    add_term(q, real_of(-1), nothing, real_of(r));
 }
 
 /*
@@ -267,7 +218,7 @@ static void load_round(const cylint_shape *s)
     o_.gamma = times(r0, W);
     const real steep = minus(W, square_of(dr));
     add_distance(&p->surface, times(steep, W), NULL);
-    add_term(&p->surface, negated(steep), o_.w, o_.Z);
+    add_term(&p->surface, negated(steep), o_.w, real_of(0));
     subtract_radius(&p->surface, o_.w);
     p->bound[0] = beyond(times(r0, dr), &o_.Z, 1);
     p->bound[1] = beyond(minus(W, times(r1, dr)), &o_.Z, -1);
@@ -287,7 +238,17 @@ static void load_plane(void)
 /* Loads the shape; the line's direction is o_.d. */
 static void load(const cylint_shape *s, const double o[3])
 {
-    load_origin(s, o);
+    o_.circular = !cylint_is_elliptic(s->kind);
+    o_.round = cylint_is_round(s->kind);
+    o_.plane = cylint_is_plane(s->kind);
+    o_.nappe = s->ends == CYLINT_ENDS_NAPPE;
+    o_.bounded = cylint_ends_are_planes(s->ends);
+    set(o_.o, o);
+    set_difference(o_.q, o, cylint_base(s));
+    if (cylint_has_end_points(s->kind))
+        set_difference(o_.w, cylint_top(s), cylint_base(s));
+    else
+        set(o_.w, cylint_axis(s));
     for (int i = 0; i < PIECES; i++)
         o_.pieces[i].bounds = o_.pieces[i].surface.count = 0;
     if (o_.plane)
@@ -451,9 +412,7 @@ static void normal_at(real t, int part, vector n)
 /* Circular kinds: X and Y along e x w and w x (e x w); Y needs / |w|. */
 static void circular_plane(void)
 {
-    const int least = least_component(o_.w);
-    vector e = {real_of(least == 0), real_of(least == 1), real_of(least == 2)};
-    cross(o_.gx, e, o_.w);
+    perpendicular(o_.gx, o_.w);
     cross(o_.gy, o_.w, o_.gx);
     o_.X = along_line(o_.gx, real_of(0));
     o_.Y = along_line(o_.gy, real_of(0));
@@ -578,7 +537,7 @@ int oracle_contains(const cylint_shape *s, const double point[3])
     if (s->kind == CYLINT_KIND_NONE || !isfinite(point[0]) ||
         !isfinite(point[1]) || !isfinite(point[2]))
         return -1;
-    for (real_start(load_kind(s, point)); real_again();) {
+    for (real_start(range_of_question(s, point)); real_again();) {
         set(o_.d, nowhere);
         load(s, point);
         in = inside(real_of(0), 0);
@@ -615,7 +574,8 @@ void oracle_intersect(const cylint_shape *s, const cylint_line *line,
     }
     widen(&of_d, line->segment ? line->o : line->d, 3);
     widen(&of_d, line->end, line->segment ? 3 : 0);
-    const long range = load_kind(s, line->o), range_of_d = range_of(of_d);
+    const long range = range_of_question(s, line->o),
+               range_of_d = range_of(of_d);
     for (real_start(range > range_of_d ? range : range_of_d); real_again();) {
         if (line->segment)
             set_difference(o_.d, line->end, line->o);

@@ -46,6 +46,18 @@ struct oracle_place {
 
 struct oracle_place oracle_place(void);
 
+/* The range of the exponents of a shape's numbers and a point. */
+static inline long range_of_question(const cylint_shape *shape,
+                                     const double point[3])
+{
+    double x[CYLINT_ARGUMENTS_MOST] = {0};
+    exponents all = no_exponents;
+    cylint_arguments(shape, x);
+    widen(&all, x, CYLINT_ARGUMENTS_MOST);
+    widen(&all, point, 3);
+    return range_of(all);
+}
+
 /* Whether the shape has the cap at this end. */
 static inline int has_cap(const cylint_shape *shape, int end)
 {

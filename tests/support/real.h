@@ -364,6 +364,14 @@ static inline int least_component(vector v)
     return least;
 }
 
+/* to = e x v, where e is along the coordinate of that component */
+static inline void perpendicular(vector to, vector v)
+{
+    const int least = least_component(v);
+    vector e = {real_of(least == 0), real_of(least == 1), real_of(least == 2)};
+    cross(to, e, v);
+}
+
 /* ------------------------------------------------------------- doubles -- */
 
 /* The double nearest to x, but where x is nearer than 2^-120 of itself to the

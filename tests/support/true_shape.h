@@ -16,11 +16,9 @@ typedef struct {
 /* Unit vectors, two across the axis; of an acone divided by |axis|. */
 static void set_upright_rows(true_shape *to, const cylint_shape *s, vector axis)
 {
-    const int least = least_component(axis);
-    vector e = {real_of(least == 0), real_of(least == 1), real_of(least == 2)};
     to->height = norm(axis);
-    cross(to->row[0], axis, e);
-    divide(to->row[0], to->row[0], norm(to->row[0]));
+    perpendicular(to->row[0], axis);
+    divide(to->row[0], to->row[0], negated(norm(to->row[0])));
     divide(to->row[2], axis, to->height);
     cross(to->row[1], to->row[2], to->row[0]);
     if (cylint_has_tangent(s->kind)) {
