@@ -26,9 +26,6 @@
  * The sums are in tests/bounds/prove/ratios.txt;
  * tests/bounds/test_distance_bounds.c compares z, rho and rims with exact numbers.
  *
- * Near the surface triples serve points of a size below 2 CYLINT_THINNEST rho:
- * there the error of rho is at most 2^-59 of it.
- *
  * A combination of the high parts in doubles has fewer than 8 roundings of
  * terms of at most S or a length of the shape; CYLINT_FEATURE_MARGIN is 2^3
  * times more.  Distances below CYLINT_DISTANCE_LEAST are left to exact
@@ -41,7 +38,6 @@
 #define CYLINT_PAIR_DISTANCE 0x1p-92
 #define CYLINT_PAIR_QUOTIENT 0x1p-97
 #define CYLINT_PAIR_PLACE 0x1p-104
-#define CYLINT_THINNEST 0x1p30
 #define CYLINT_FEATURE_MARGIN 0x1p-46
 #define CYLINT_DISTANCE_LEAST 0x1p-300
 
@@ -54,8 +50,7 @@
  * (tests/bounds/test_local_residuals.c).
  * Points within CYLINT_CLOSE of their size of the surface are served.  Up to
  * CYLINT_CLOSE_MOST no product of lengths in range overflows.  CYLINT_CLOSE_LOSS:
- * the relative error of a few operations on pairs.  CYLINT_CLOSE_FLATTEST: the
- * least cosine of cones for which the bound is proved.  CYLINT_NEEDS_DIRECTION: the
+ * the relative error of a few operations on pairs.  CYLINT_NEEDS_DIRECTION: the
  * relative error of rho for which triples compute the direction from the axis; it
  * affects only the speed.
  */
@@ -63,12 +58,9 @@
 #define CYLINT_CLOSE_LOSS 0x1p-90
 #define CYLINT_CLOSE 0x1p-20
 #define CYLINT_CLOSE_MOST 0x1p64
-#define CYLINT_CLOSE_FLATTEST 0x1p-70
 #define CYLINT_NEEDS_DIRECTION 0x1p-60
 enum {
-    CYLINT_CLOSE_BALL = 2,
-    CYLINT_CLOSE_CYLINDER = 4,
-    CYLINT_CLOSE_CONE = 16,
+    CYLINT_CLOSE_SQUARES = 4,
     CYLINT_CLOSE_DIRECTION = 4
 };
 

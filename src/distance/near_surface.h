@@ -2,19 +2,19 @@
  * near_surface.h - distances near the surface, and directions from the axis beside
  * it, in triples
  *
- * Near a surface the distance is a small difference.  It is a form that is 0 on
- * the surface, divided by a number that is not small.  The terms of the form are
- * products of the doubles given, so triples have all digits that count.  With
- * D the point from the base, w the axis, W = w.w and T = r0 W + dr D.w:
+ * Near a surface the distance is a small difference of roots, x - y.  It is
+ * (x^2 - y^2) / (x + y).  The terms of the squares are products of the doubles
+ * given, so triples have all digits of the numerator that count.  With D the point
+ * from an end, w the axis, W = w.w, q = D.D W - (D.w)^2 and c = r0 W + dr D.w:
  *
  *   plane           D.w / |w|
  *   ball            (D.D - r^2) / (|D| + r)
- *   cylinder        ((D.D - r^2) W - (D.w)^2) / (W (rho + r))
- *   cone            cosine ((D.D W - (D.w)^2) W - T^2) / (W^2 (rho + T / W))
- *   angle cone      cosine (D.D W - (D.w)^2 - T^2) / (W (rho + T / |w|)),
- *                   T = tangent D.w
- *   round cone      ((D.D W - (D.w)^2) (W - dr^2) - T^2)
- *                                              / (W^2 (cosine rho + T / W))
+ *   cylinder        (q - r^2 W) / (W (rho + r))
+ *   cone            cosine (q W - c^2) / (W^2 (rho + c / W))
+ *   angle cone      cosine (q - c^2) / (W (rho + c / |w|))
+ *   round cone      (q (W - dr^2) - c^2) / (W^2 (cosine rho + c / W))
+ *
+ * A rim is on a cylinder and on a plane.
  */
 #ifndef CYLINT_NEAR_SURFACE_H
 #define CYLINT_NEAR_SURFACE_H
@@ -29,128 +29,68 @@ static void load_axis(triple w[3], const cylint_shape *s)
         w[i] = triple_of_pair(cylint_axis_pair(s, i));
 }
 
-/* form / divisor, where the terms of the form divided by the divisor are at most
- * `size` and the divisor has the relative error `relative`. */
-static bounded_pairs quotient_of_form(triple form, pair divisor, double size,
-                                      double relative)
+/* form / (unit sum), where the error of the form is at most CYLINT_CLOSE_SQUARES
+ * CYLINT_CLOSE_ERROR size^2 unit, and that of the sum `error` besides. */
+static bounded_pairs over_sum(triple form, pair unit, pair sum, double size,
+                              double error)
 {
-    const pair d = pair_div(pair_of_triple(form), divisor);
-    return (bounded_pairs){d, CYLINT_CLOSE_ERROR * size +
-                                  (relative + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
+    const pair d = pair_div(pair_of_triple(form), pair_mul(unit, sum));
+    const double inverse = 1 / sum.hi, of_form = CYLINT_CLOSE_SQUARES *
+                                                 CYLINT_CLOSE_ERROR * size *
+                                                 size * inverse;
+    return (bounded_pairs){
+        d, of_form +
+               ((of_form + error) * inverse + CYLINT_CLOSE_LOSS) * fabs(d.hi)};
 }
 
-static bounded_pairs close_to_plane(const cylint_shape *s,
-                                    const double point[3], int top, double size)
+static bounded_pairs close_to_ball(triple square, double r)
 {
-    triple D[3], w[3];
-    const int tangent = cylint_has_tangent(s->kind);
-    load_difference(D, point, top && !tangent ? cylint_top(s) : cylint_base(s));
-    load_axis(w, s);
-    if (top && tangent) /* from base + axis; a rounding of triples */
-        EACH(i, 3)
-            D[i] = triple_sub(D[i], w[i]);
-    const pair length =
-        tangent ? triple_length(w) : cylint_number_pair(s, CYLINT_AT_HEIGHT);
-    bounded_pairs to = quotient_of_form(triple_dot(D, w), length, size, 0);
-    int in_plane = 1; /* every product is 0 */
-    EACH(i, 3)
-        in_plane &= cylint_sign(D[i].a) == 0 || cylint_sign(w[i].a) == 0;
-    if (in_plane)
-        return (bounded_pairs){{0, 0}, 0};
-    if (!top)
-        to.v = pair_neg(to.v);
-    return to;
-}
-
-static bounded_pairs close_to_ball(const double point[3],
-                                   const double center[3], double r)
-{
-    triple D[3];
-    load_difference(D, point, center);
-    const triple square = triple_dot(D, D);
     const triple form = triple_sub(square, triple_of_pair(two_prod(r, r)));
     const pair length = pair_sqrt(pair_of_triple(square));
-    const pair divisor = pair_add(length, (pair){r, 0});
-    return quotient_of_form(form, divisor, CYLINT_CLOSE_BALL * divisor.hi, 0);
+    return over_sum(form, (pair){1, 0}, pair_add(length, (pair){r, 0}),
+                    length.hi + r, 0);
 }
 
-/* error: of rho. */
-static bounded_pairs close_to_line(const cylint_shape *s, const double point[3],
-                                   pair rho, double error, double size)
+/* tangent: the radius is r |w|. */
+static bounded_pairs close_to_cylinder(const half_plane *m, triple DD, triple W,
+                                       triple Dw, double r, int tangent)
 {
-    triple D[3], w[3];
-    load_difference(D, point, cylint_base(s));
-    load_axis(w, s);
-    const triple DD = triple_dot(D, D), Dw = triple_dot(D, w);
-    const triple W = triple_dot(w, w);
-    const pair W2 = pair_of_triple(W), r = {cylint_r0(s), 0};
-    if (!cylint_is_tapered(s->kind)) {
-        const triple rr = triple_of_pair(two_prod(cylint_r0(s), cylint_r0(s)));
-        const triple form = triple_det(triple_sub(DD, rr), W, Dw, Dw);
-        const pair sum = pair_add(rho, r);
-        return quotient_of_form(form, pair_mul(W2, sum),
-                                CYLINT_CLOSE_CYLINDER * size / sum.hi * size,
-                                error / sum.hi);
+    const pair unit = pair_of_triple(W);
+    triple square = triple_of_pair(two_prod(r, r));
+    pair radius = {r, 0};
+    if (tangent) {
+        square = triple_mul(square, W);
+        radius = pair_mul(radius, pair_sqrt(unit));
     }
-    const triple dr = triple_of_pair(cylint_radius_growth(s));
-    triple T = triple_add(triple_times(W, cylint_r0(s)), triple_mul(dr, Dw));
-    const triple across = triple_det(DD, W, Dw, Dw);
-    if (s->ends == CYLINT_ENDS_INFINITE && T.a < 0)
-        T = triple_neg(T); /* on the other nappe */
-    const pair C = cylint_number_pair(s, CYLINT_AT_COSINE);
+    return over_sum(triple_det(triple_sub(DD, square), W, Dw, Dw), unit,
+                    pair_add(m->rho, radius), m->size, m->error);
+}
+
+static bounded_pairs close_to_cone(const half_plane *m, const cylint_shape *s,
+                                   triple DD, triple W, triple Dw)
+{
     const int round = cylint_is_round(s->kind);
     const int tangent = cylint_has_tangent(s->kind);
-    const triple factor = round     ? triple_sub(W, triple_mul(dr, dr))
-                          : tangent ? triple_of(1)
-                                    : W;
-    const triple form = triple_det(across, factor, T, T);
-    const pair unit = tangent ? pair_sqrt(W2) : W2; /* of T */
-    const pair radius = pair_div(pair_of_triple(T), unit);
-    const pair sum = pair_add(round ? pair_mul(C, rho) : rho, radius);
-    bounded_pairs to = quotient_of_form(
-        form, pair_mul(pair_mul(unit, unit), sum),
-        CYLINT_CLOSE_CONE * size / sum.hi * size, error / sum.hi);
-    if (!round) { /* the error of T counts the growth along D, too */
-        to.v = pair_mul(to.v, C);
-        to.e = to.e * cylint_cosine(s) * CYLINT_SLACK +
-               CYLINT_CLOSE_CONE * CYLINT_CLOSE_ERROR * size *
-                   fabs(cylint_sine(s));
-    }
+    const triple dr = triple_of_pair(cylint_radius_growth(s)),
+                 q = triple_det(DD, W, Dw, Dw);
+    const pair C = cylint_number_pair(s, CYLINT_AT_COSINE),
+               W2 = pair_of_triple(W), unit = tangent ? pair_sqrt(W2) : W2;
+    triple c = triple_add(triple_times(W, cylint_r0(s)), triple_mul(dr, Dw));
+    if (s->ends == CYLINT_ENDS_INFINITE && c.a < 0)
+        c = triple_neg(c); /* on the other nappe */
+    const triple g = round     ? triple_sub(W, triple_mul(dr, dr))
+                     : tangent ? triple_of(1)
+                               : W;
+    const pair units = pair_mul(unit, unit),
+               radius = pair_div(pair_of_triple(c), unit);
+    bounded_pairs to =
+        over_sum(triple_det(q, g, c, c), round ? units : pair_div(units, C),
+                 pair_add(round ? pair_mul(C, m->rho) : m->rho, radius),
+                 m->size, m->error);
     /* beyond the apex the other nappe can be nearer */
-    if (!(radius.hi > 0) || C.hi < CYLINT_CLOSE_FLATTEST)
+    if (radius.hi < 0)
         to.e = HUGE_VAL;
     return to;
-}
-
-/* Whether the point is nearer to the plane of the top. */
-static int is_nearer_to_top(const half_plane *m)
-{
-    return rounded(m->z) + rounded(m->above) > 0;
-}
-
-/* Whether the error of rho is small beside it. */
-static int is_off_axis(const half_plane *m)
-{
-    return m->size < 2 * CYLINT_THINNEST * m->rho.hi;
-}
-
-/* From the rim the point is at `across` and `beyond` across and along the axis. */
-static bounded_pairs close_to_rim(const cylint_shape *s, const double point[3],
-                                  const half_plane *m, int top)
-{
-    const bounded_pairs line =
-                            close_to_line(s, point, m->rho, m->error, m->size),
-                        beyond = close_to_plane(s, point, top, m->size);
-    const pair sine = cylint_number_pair(s, CYLINT_AT_SINE),
-               C = cylint_number_pair(s, CYLINT_AT_COSINE),
-               y = pair_mul(top ? sine : pair_neg(sine), beyond.v),
-               across = pair_div(pair_add(line.v, y), C);
-    const double error = line.e + fabs(sine.hi) * beyond.e +
-                         CYLINT_CLOSE_LOSS * (fabs(line.v.hi) + fabs(y.hi));
-    const pair d = pair_sqrt(
-        pair_add(pair_mul(across, across), pair_mul(beyond.v, beyond.v)));
-    return (bounded_pairs){d, error / C.hi * CYLINT_SLACK + beyond.e +
-                                  CYLINT_CLOSE_LOSS * d.hi};
 }
 
 /* Of a point near the surface: the distance from a feature but the circle of
@@ -160,16 +100,36 @@ static bounded_pairs close_distance(const vnearest *n, const half_plane *m,
                                     const double point[3])
 {
     const int feature = (int)n->feature, top = cylint_feature_end(feature);
-    if (s->kind == CYLINT_KIND_SPHERE ||
-        (cylint_is_round(s->kind) && feature != CYLINT_FEATURE_LATERAL))
-        return close_to_ball(point, top ? cylint_top(s) : cylint_base(s),
-                             cylint_end_factor(s, top));
-    if (!is_off_axis(m))
-        return (bounded_pairs){{0, 0}, HUGE_VAL};
-    return feature == CYLINT_FEATURE_LATERAL
-               ? close_to_line(s, point, m->rho, m->error, m->size)
-           : cylint_is_on_end(feature) ? close_to_plane(s, point, top, m->size)
-                                       : close_to_rim(s, point, m, top);
+    const int on_end = cylint_is_on_end(feature);
+    const int tangent = cylint_has_tangent(s->kind);
+    bounded_pairs across = {{0, 0}, 0};
+    triple D[3], w[3];
+    load_difference(D, point, top && !tangent ? cylint_top(s) : cylint_base(s));
+    if (s->kind == CYLINT_KIND_SPHERE || (on_end && cylint_is_round(s->kind)))
+        return close_to_ball(triple_dot(D, D), cylint_end_factor(s, top));
+    load_axis(w, s);
+    if (top && tangent) /* from base + axis; a rounding of triples */
+        EACH(i, 3)
+            D[i] = triple_sub(D[i], w[i]);
+    const triple W = triple_dot(w, w), Dw = triple_dot(D, w);
+    if (!on_end) {
+        const triple DD = triple_dot(D, D);
+        const int lateral = feature == CYLINT_FEATURE_LATERAL;
+        across = lateral && cylint_is_tapered(s->kind)
+                     ? close_to_cone(m, s, DD, W, Dw)
+                     : close_to_cylinder(m, DD, W, Dw,
+                                         cylint_end_factor(s, top), tangent);
+        if (lateral)
+            return across;
+    }
+    const pair up = pair_div(pair_of_triple(Dw), pair_sqrt(pair_of_triple(W)));
+    const double error =
+        CYLINT_CLOSE_ERROR * m->size + CYLINT_CLOSE_LOSS * fabs(up.hi);
+    if (on_end)
+        return (bounded_pairs){top ? up : pair_neg(up), error};
+    const pair d =
+        pair_sqrt(pair_add(pair_mul(across.v, across.v), pair_mul(up, up)));
+    return (bounded_pairs){d, across.e + error + CYLINT_CLOSE_LOSS * d.hi};
 }
 
 static int is_certain(const vdistance *d)
@@ -225,7 +185,8 @@ ASIDE void find_direction(half_plane *m, const cylint_shape *s,
 {
     triple D[3], w[3], X[3], A[3];
     pair squares[3];
-    const int top = cylint_has_end_points(s->kind) && is_nearer_to_top(m);
+    const int top = cylint_has_end_points(s->kind) &&
+                    rounded(m->z) + rounded(m->above) > 0; /* it is nearer */
     load_difference(D, point, top ? cylint_top(s) : cylint_base(s));
     load_axis(w, s);
     triple_cross(X, D, w);

@@ -331,41 +331,47 @@ static triple_number difference_of_squares(triple_number x, triple_number y,
     return triple_plus(triple_times(x, y), triple_times(z, z));
 }
 
-/* near_surface.h, where |w| and the size of the question are 1. */
+/* near_surface.h, where the size of the question is 1. */
 static const triple_number ONE = {1, 0, 0},
                            ONES[3] = {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}};
 
+/* |w| = 1.  Of an angle cone's rim r^2 |w|^2 takes the place of r^2. */
 static void close_plane_ball_and_cylinder(void)
 {
     const triple_number dot = triple_dot_of(ONES, ONES), one = at_most(dot, 1);
-    const triple_number ball = triple_plus(dot, ONE);
+    const triple_number ball = triple_plus(dot, triple_times(ONE, one));
     need(dot.off, 1);
-    need(ball.off, CYLINT_CLOSE_BALL);
+    need(ball.off, CYLINT_CLOSE_SQUARES);
     need(difference_of_squares(at_most(ball, 1), one, one).off,
-         CYLINT_CLOSE_CYLINDER);
+         CYLINT_CLOSE_SQUARES);
 }
 
-/* radius: of the cone beside the point. */
-static void close_cone(double dr, double rho, double radius, int is_round)
+/* length: |w|.  radius: of the cone beside the point. */
+static void close_cone(double length, double dr, double rho, double radius,
+                       int is_round)
 {
-    const triple_number slope = {dr, 0, 0};
-    const triple_number dot = at_most(triple_dot_of(ONES, ONES), 1);
+    const double unit = length * length;
+    const triple_number slope = {dr, 0, 0}, w = {length, 0, 0};
+    const triple_number W = at_most(triple_dot_of((triple_number[]){w, w, w},
+                                                  (triple_number[]){w, w, w}),
+                                    unit),
+                        Dw = at_most(
+                            triple_dot_of(ONES, (triple_number[]){w, w, w}),
+                            length);
     const triple_number across =
-        at_most(difference_of_squares(dot, dot, dot), square(rho));
-    const triple_number T = at_most(
-        triple_plus(triple_times(dot, ONE), triple_times(slope, dot)), radius);
+        at_most(difference_of_squares(triple_dot_of(ONES, ONES), W, Dw),
+                square(rho) * unit);
+    const triple_number T =
+        at_most(triple_plus(triple_times(W, ONE), triple_times(slope, Dw)),
+                radius * unit);
     const triple_number factor =
-        is_round ? triple_plus(dot, triple_times(slope, slope)) : dot;
+        is_round ? triple_plus(W, triple_times(slope, slope)) : W;
     const double form =
-        difference_of_squares(across, at_most(factor, 1), T).off;
+        difference_of_squares(across, at_most(factor, unit), T).off;
     /* T is in the divisor, too */
-    const double off = form + fabs(rho - radius) * T.off;
-    const double C = is_round ? sqrt(1 - dr * dr) : 1 / hypot(1, dr);
-    if (is_round)
-        need(off, CYLINT_CLOSE_CONE);
-    else
-        need(off / (rho + radius) * C,
-             CYLINT_CLOSE_CONE * (C / (rho + radius) + dr * C));
+    const double off = form + fabs(rho - radius) * unit * T.off;
+    need(off, CYLINT_CLOSE_SQUARES * unit * unit *
+                  (is_round ? 1 : hypot(1, dr / length)));
 }
 
 static void close_direction(void)
@@ -379,14 +385,14 @@ TEST(a_distance_in_triples_has_its_bound)
 {
     close_plane_ball_and_cylinder();
     judge_in(&CLOSE, "planes, balls", "triples");
-    for (double rho = 1; rho > 0.5 / CYLINT_THINNEST; rho /= 4)
-        for (double dr = 1 / CYLINT_CLOSE_FLATTEST; dr > FIRST_SLOPE; dr /= 4)
-            for (double radius = 0x1p-200; radius <= 1 + CYLINT_CLOSE * dr;
-                 radius *= 2) {
-                close_cone(dr, rho, radius, 0);
-                if (dr < 1)
-                    close_cone(dr, rho, radius, 1);
-            }
+    for (double length = 1; length > 0x1p-100; length /= 16)
+        for (double dr = 1; dr > 0x1p-120; dr /= 16)
+            for (double rho = 1; rho > 0x1p-100; rho /= 16)
+                for (double radius = 1; radius > 0x1p-200; radius /= 16) {
+                    close_cone(length, dr, rho, radius, 0);
+                    if (dr < length)
+                        close_cone(length, dr, rho, radius, 1);
+                }
     judge_in(&CLOSE, "cones", "triples");
     close_direction();
     judge_in(&CLOSE, "directions", "triples");
