@@ -322,26 +322,22 @@ static int has_outward(search *s)
 
 /* ---------------------------------------------------------- features ---- */
 
-static void search_lateral(search *s)
+/* The lateral surface or a rim. */
+static void search_curve(search *s, int feature)
 {
+    const int end = cylint_feature_end(feature);
     direction at[MOST_CRITICAL];
-    stationary *form = &s->form[CYLINT_FEATURE_LATERAL];
-    lateral_form(&s->p, form);
+    stationary *form = &s->form[feature];
+    if (feature == CYLINT_FEATURE_LATERAL)
+        lateral_form(&s->p, form);
+    else
+        rim_form(&s->p, end, form);
     const int n = critical_directions(form, at);
     for (int i = 0; i < n; i++)
-        try_lateral(s, &at[i]);
-}
-
-static void search_rim(search *s, int end)
-{
-    triple from[3];
-    direction at[MOST_CRITICAL];
-    stationary *form = &s->form[CYLINT_FEATURE_RIM0 + end];
-    from_end(&s->p, end, from);
-    rim_form(&s->p, from, cylint_end_factor(s->p.shape, end), form);
-    const int n = critical_directions(form, at);
-    for (int i = 0; i < n; i++)
-        try_rim(s, end, &at[i]);
+        if (feature == CYLINT_FEATURE_LATERAL)
+            try_lateral(s, &at[i]);
+        else
+            try_rim(s, end, &at[i]);
 }
 
 /* Rims, and the apex that an end of radius 0 is. */
@@ -351,7 +347,7 @@ static void search_ends(search *s)
         if (cylint_sign(cylint_end_factor(s->p.shape, end)) == 0)
             try_apex(s, s->p.h, triple_of(end));
         else
-            search_rim(s, end);
+            search_curve(s, CYLINT_FEATURE_RIM0 + end);
     }
 }
 
@@ -373,7 +369,7 @@ static void search_bounded(search *s, int side)
             try_cap(s, end);
     if (side < 0 && has_outward(s))
         return;
-    search_lateral(s);
+    search_curve(s, CYLINT_FEATURE_LATERAL);
     if (side < 0 ? has_outward(s) : s->inside && s->has_lateral)
         return;
     search_ends(s);
@@ -385,7 +381,7 @@ static void search_all(search *s, int side)
         search_bounded(s, side);
         return;
     }
-    search_lateral(s);
+    search_curve(s, CYLINT_FEATURE_LATERAL);
     if (s->p.k1.a != 0) /* an unbounded cone: its apex is at -h / k1 */
         try_apex(s, s->p.g, triple_div(triple_of(-1), s->p.k1));
 }
@@ -394,10 +390,8 @@ static void search_all(search *s, int side)
 static void search_feature(search *s, int feature)
 {
     s->inside = 1;
-    if (feature == CYLINT_FEATURE_LATERAL)
-        search_lateral(s);
-    else if (!cylint_is_on_end(feature) && feature != CYLINT_FEATURE_APEX)
-        search_rim(s, cylint_feature_end(feature));
+    if (!cylint_is_on_end(feature) && feature != CYLINT_FEATURE_APEX)
+        search_curve(s, feature);
     s->best.feature = feature;
 }
 

@@ -383,63 +383,51 @@ static inline void answer_on_apex(elliptic_answer *to, const cylint_shape *s,
     write_unit(to->normal, &n, no_change, cylint_apex_normal_sign(s, 0));
 }
 
-static inline void answer_on_lateral(elliptic_answer *to,
-                                     const elliptic_question *q,
-                                     const double point[3], int effort,
-                                     unsigned want)
+/* On the lateral surface or a rim.  The end of a lateral surface is the base. */
+static inline void answer_on_ruling(elliptic_answer *to,
+                                    const elliptic_question *q,
+                                    const double point[3], int effort,
+                                    unsigned want)
 {
     const cylint_shape *s = q->shape;
-    const double outward = cylint_left_handed(s) != q->is_turned ? -1 : 1;
+    const int on_rim = q->feature != CYLINT_FEATURE_LATERAL,
+              end = cylint_feature_end(q->feature);
+    const double f = cylint_end_factor(s, end),
+                 outward = cylint_left_handed(s) != q->is_turned ? -1 : 1;
     direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
     uncertainty by = q->by;
     ruling_in_pairs t;
-    sized D[3];
-    double change[3];
-    load_pairs_from_axis(D, s, point, sized_double(0));
-    if (effort)
-        find_ruling(&t, &e, &by, q, D, 1, effort);
+    sized F[3];
+    double change[3], beside = 0;
+    load_pairs_from_axis(F, s, point, sized_double(end));
+    if (on_rim || effort)
+        beside = find_ruling(&t, &e, &by, q, F, f, effort);
     else
-        load_ruling_in_pairs(&t, s, D, 1, &e);
-    sized n = sized_dot(t.R, t.normal.N);
-    /* mutant '>' -> '>=': slower, where pairs suffice */
-    if (effort > 1)
-        n = sized_form(height_in_triples(s, point, &e), n.size);
-    to->distance = quotient_by_size(n, &t.normal, 0, by.distance, outward);
+        load_ruling_in_pairs(&t, s, F, f, &e);
+    if (on_rim) {
+        to->distance = length_of_pairs(t.R, 2 * by.distance);
+        to->distance.e +=
+            beside * beside * sized_dot(t.du, t.du).v.hi / to->distance.v.hi;
+    } else {
+        sized n = sized_dot(t.R, t.normal.N);
+        /* mutant '>' -> '>=': slower, where pairs suffice */
+        if (effort > 1)
+            n = sized_form(height_in_triples(s, point, &e), n.size);
+        to->distance = quotient_by_size(n, &t.normal, 0, by.distance, outward);
+    }
     if (!(want & CYLINT_WANT_GEOMETRY))
         return;
     change_of_normal(change, &t, s, by.turn);
     write_unit(to->normal, &t.normal, change, outward);
-    write_foot(to->point, point, to->distance, to->normal);
-}
-
-static inline void answer_on_rim(elliptic_answer *to,
-                                 const elliptic_question *q,
-                                 const double point[3], int effort,
-                                 unsigned want)
-{
-    const cylint_shape *s = q->shape;
-    const int end = cylint_feature_end(q->feature);
-    const double f = cylint_end_factor(s, end);
-    direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
-    uncertainty by;
-    ruling_in_pairs t;
-    sized F[3];
-    double change[3];
-    load_pairs_from_axis(F, s, point, sized_double(end));
-    const double beside = find_ruling(&t, &e, &by, q, F, f, effort);
-    to->distance = length_of_pairs(t.R, 2 * by.distance);
-    to->distance.e +=
-        beside * beside * sized_dot(t.du, t.du).v.hi / to->distance.v.hi;
-    if (!(want & CYLINT_WANT_GEOMETRY))
-        return;
-    change_of_normal(change, &t, s, by.turn);
-    write_unit(to->normal, &t.normal, change, cylint_left_handed(s) ? -1 : 1);
-    EACH(i, 3) {
-        const vpair center =
-            v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0);
-        to->point[i] = place_beside(center, sized_times(t.u[i], f),
-                                    f * t.du[i].size * by.turn);
-    }
+    if (!on_rim)
+        write_foot(to->point, point, to->distance, to->normal);
+    else
+        EACH(i, 3) {
+            const vpair center =
+                v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0);
+            to->point[i] = place_beside(center, sized_times(t.u[i], f),
+                                        f * t.du[i].size * by.turn);
+        }
 }
 
 static inline void answer_in_pairs(elliptic_answer *to,
@@ -455,11 +443,8 @@ static inline void answer_in_pairs(elliptic_answer *to,
     case CYLINT_FEATURE_APEX:
         answer_on_apex(to, q->shape, point);
         break;
-    case CYLINT_FEATURE_LATERAL:
-        answer_on_lateral(to, q, point, effort, want);
-        break;
     default:
-        answer_on_rim(to, q, point, effort, want);
+        answer_on_ruling(to, q, point, effort, want);
     }
 }
 

@@ -204,12 +204,13 @@ static void lateral_form(const elliptic_terms *p, stationary *f)
                square_sizes(f);
 }
 
-/* The same of a rim of this factor: E.u' for E = Q - near (f + e u).  from:
- * from_end(). */
-static void rim_form(const elliptic_terms *p, const triple from[3],
-                     double factor, stationary *f)
+/* The same of a rim: E.u' for E = Q - near (f + e u). */
+static void rim_form(const elliptic_terms *p, int end, stationary *f)
 {
+    const double factor = cylint_end_factor(p->shape, end);
     const triple e = triple_scale(triple_of(factor), p->near);
+    triple from[3];
+    from_end(p, end, from);
     const triple ab = triple_mul(e, p->ab);
     f->linear[0] = triple_dot(from, p->b);
     f->linear[1] = triple_neg(triple_dot(from, p->a));
