@@ -76,47 +76,36 @@ INLINE void store_features(const cylint_closest_columns *to, size_t i, size_t n,
     write_features(to, i, n, at, of_lane);
 }
 
-/* Lanes in which the distance and the feature are certain. */
-INLINE vm is_certain(const vnearest *n)
+/* Writes what is wanted; returns where all of that is certain.  With heads and tails
+ * the distance, and the feature where it is wanted; described: in pairs, also point
+ * and normal. */
+INLINE vm answer_lanes(const cylint_shape *const at[LANES], int kind,
+                       const shape_lanes *s, const vd x[3], size_t i, size_t n,
+                       const cylint_closest_columns *to, unsigned want,
+                       int described)
 {
-    return m_and(v_le(n->d.high, n->d.low), n->certain);
-}
-
-/* With heads and tails: the distance, and the feature where it is wanted. */
-INLINE vm answer_distances(const cylint_shape *const at[LANES],
-                           const shape_lanes *s, const vd x[3], size_t i,
-                           size_t n, const cylint_closest_columns *to,
-                           unsigned want)
-{
-    const int with_part = (want & CYLINT_WANT_PART) != 0, kind = at[0]->kind;
-    half_plane m;
-    vnearest nearest;
-    head_tail_load(&m, s, x, kind != CYLINT_KIND_SPHERE);
-    head_tail_nearest(&nearest, &m, s, kind, with_part);
-    store(to->distance, i, n, nearest.d.low);
-    if (with_part)
-        store_features(to, i, n, at, nearest.feature);
-    return is_certain(&nearest);
-}
-
-/* In pairs: also point and normal. */
-INLINE vm write_closest_lanes(const cylint_shape *const at[LANES], int kind,
-                              const shape_lanes *s, const vd x[3], size_t i,
-                              size_t n, const cylint_closest_columns *to,
-                              unsigned want)
-{
+    const int with_part = (want & CYLINT_WANT_PART) != 0;
+    const int axial = kind != CYLINT_KIND_SPHERE;
     half_plane m;
     vnearest nearest;
     described_point members;
-    pairs_load(&m, s, x, kind != CYLINT_KIND_SPHERE);
-    pairs_load_rho(&m);
-    pairs_nearest(&nearest, &m, s, kind, 1);
-    describe_nearest(&members, &nearest, &m, s, x, kind);
-    vm certain = m_and(is_certain(&nearest), v_le(v_set(CYLINT_DISTANCE_LEAST),
-                                                  v_abs(nearest.d.low)));
+    if (described) {
+        pairs_load(&m, s, x, axial);
+        pairs_load_rho(&m);
+        pairs_nearest(&nearest, &m, s, kind, 1);
+    } else {
+        head_tail_load(&m, s, x, axial);
+        head_tail_nearest(&nearest, &m, s, kind, with_part);
+    }
+    vm certain = m_and(v_le(nearest.d.high, nearest.d.low), nearest.certain);
     store(to->distance, i, n, nearest.d.low);
-    if (want & CYLINT_WANT_PART)
+    if (with_part)
         store_features(to, i, n, at, nearest.feature);
+    if (!described)
+        return certain;
+    describe_nearest(&members, &nearest, &m, s, x, kind);
+    certain = m_and(certain,
+                    v_le(v_set(CYLINT_DISTANCE_LEAST), v_abs(nearest.d.low)));
     if (want & CYLINT_WANT_POINT)
         certain = m_and(certain, members.point_certain);
     if (want & CYLINT_WANT_NORMAL)
@@ -126,18 +115,6 @@ INLINE vm write_closest_lanes(const cylint_shape *const at[LANES], int kind,
         store(to->normal[k], i, n, members.normal[k]);
     }
     return certain;
-}
-
-/* One text serves all kinds but the sphere, which has no axis. */
-INLINE vm describe_any(const cylint_shape *const at[LANES],
-                       const shape_lanes *s, const vd x[3], size_t i, size_t n,
-                       const cylint_closest_columns *to, unsigned want)
-{
-    const int kind = at[0]->kind;
-    return kind == CYLINT_KIND_SPHERE
-               ? write_closest_lanes(at, CYLINT_KIND_SPHERE, s, x, i, n, to,
-                                     want)
-               : write_closest_lanes(at, kind, s, x, i, n, to, want);
 }
 
 INLINE void load_shapes(shape_lanes *s, const cylint_shape *const at[LANES],
@@ -171,12 +148,16 @@ size_t CYLINT_DISTANCE_LANES(const cylint_shape *shapes, size_t each,
         vd x[3];
         unsigned certain = 0;
         if (!each || find_shapes(at, shapes + i, n)) {
+            const int kind = at[0]->kind;
             if (each)
                 load_shapes(&s, at, described);
             load_points(x, xyz, i, n);
             certain = m_bits(
-                described ? describe_any(at, &s, x, i, n, &to, want)
-                          : answer_distances(at, &s, x, i, n, &to, want));
+                !described ? answer_lanes(at, kind, &s, x, i, n, &to, want, 0)
+                : kind == CYLINT_KIND_SPHERE /* it has no axis */
+                    ? answer_lanes(at, CYLINT_KIND_SPHERE, &s, x, i, n, &to,
+                                   want, 1)
+                    : answer_lanes(at, kind, &s, x, i, n, &to, want, 1));
         }
         for (size_t lane = 0; lane < LANES && lane < n; lane++) {
             uncertain[count] = i + lane;
