@@ -186,15 +186,14 @@ ASIDE double turn_of_ruling(const ruling_in_pairs *t, int on_rim, double *most)
     return rounded(turn.v) / unit;
 }
 
-/* Writes the ruling of the angle, after a step of Newton's iteration if `step` is
- * not 0, and the uncertainty there.  Returns at least |l|. */
-static inline double find_ruling(ruling_in_pairs *t, direction_pair *e,
-                                 uncertainty *by, const elliptic_question *q,
-                                 const sized F[3], double f, int step)
+/* Turns the ruling and its angle by a step of Newton's iteration if `step` is not 0,
+ * and writes the uncertainty there.  Returns at least |l|. */
+static inline double correct_ruling(ruling_in_pairs *t, direction_pair *e,
+                                    uncertainty *by, const elliptic_question *q,
+                                    const sized F[3], double f, int step)
 {
     const int on_rim = q->feature != CYLINT_FEATURE_LATERAL;
     double most;
-    load_ruling_in_pairs(t, q->shape, F, f, e);
     const double l = turn_of_ruling(t, on_rim, &most) * q->plane.q /
                      slope_of_height(&q->plane, &q->at);
     if (step && turn_direction(e, q->is_turned ? l : -l, q)) {
@@ -400,10 +399,9 @@ static inline void answer_on_ruling(elliptic_answer *to,
     sized F[3];
     double change[3], beside = 0;
     load_pairs_from_axis(F, s, point, sized_double(end));
+    load_ruling_in_pairs(&t, s, F, f, &e);
     if (on_rim || effort)
-        beside = find_ruling(&t, &e, &by, q, F, f, effort);
-    else
-        load_ruling_in_pairs(&t, s, F, f, &e);
+        beside = correct_ruling(&t, &e, &by, q, F, f, effort);
     if (on_rim) {
         to->distance = length_of_pairs(t.R, 2 * by.distance);
         to->distance.e +=

@@ -183,24 +183,20 @@ INLINE void nearest_to_side(vnearest *n, const half_plane *m,
                             int end, int foot, int has_cap)
 {
     const int round = cylint_is_round(kind), is_beyond = foot == 1;
-    const pair rho = m->rho, none = {0, 0}, z[2] = {m->z, m->above};
+    const pair rho = m->rho, z[2] = {m->z, m->above};
     const pair r = s->r[end], y = pairs_trimmed(z[end]);
-    if (kind == CYLINT_KIND_CAPSULE && (has_cap | !is_beyond)) {
-        n->d = pairs_from_ball(pick(is_beyond, y, none), 0, r, m, 0);
-        n->feature =
-            is_beyond ? CYLINT_FEATURE_CAP0 + end : CYLINT_FEATURE_LATERAL;
-        if (m->rho_is_exact && (!is_beyond || rho.hi == 0))
-            without_error(n, m, is_beyond ? size_of(y) : rho, r);
-    } else if (foot < 0 || (round && !is_beyond)) {
+    if (foot < 0 || (round && !is_beyond)) {
         const pair line = round ? vpair_sub(pairs_turned(s, rho, m->z), s->r[0])
                                 : pairs_turned(s, x[0], m->z);
         n->d = pairs_rounded(line, m->error);
         n->feature = CYLINT_FEATURE_LATERAL;
-        if (kind == CYLINT_KIND_CYLINDER)
+        if (!cylint_is_tapered(kind))
             without_error(n, m, rho, r);
     } else if (round && has_cap) {
         n->d = pairs_from_ball(y, 0, r, m, 0);
         n->feature = CYLINT_FEATURE_CAP0 + end;
+        if (rho.hi == 0)
+            without_error(n, m, size_of(y), r);
     } else {
         pair across = x[end], along = y;
         if (round) {
