@@ -186,8 +186,8 @@ ASIDE double turn_of_ruling(const ruling_in_pairs *t, int on_rim, double *most)
     return rounded(turn.v) / unit;
 }
 
-/* Turns the ruling and its angle by a step of Newton's iteration if `step` is not 0,
- * and writes the uncertainty there.  Returns at least |l|. */
+/* Turns the ruling and its angle by a step of Newton's iteration if `step` is not
+ * 0, and writes the uncertainty there.  Returns at least |l|. */
 static inline double correct_ruling(ruling_in_pairs *t, direction_pair *e,
                                     uncertainty *by, const elliptic_question *q,
                                     const sized F[3], double f, int step)

@@ -59,10 +59,7 @@
 #define CYLINT_CLOSE 0x1p-20
 #define CYLINT_CLOSE_MOST 0x1p64
 #define CYLINT_NEEDS_DIRECTION 0x1p-60
-enum {
-    CYLINT_CLOSE_SQUARES = 4,
-    CYLINT_CLOSE_DIRECTION = 4
-};
+enum { CYLINT_CLOSE_SQUARES = 4, CYLINT_CLOSE_DIRECTION = 4 };
 
 /*
  * Distances with heads and tails (distance/head_tail.h).  S is a sum of sizes:

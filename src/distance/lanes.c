@@ -76,9 +76,9 @@ INLINE void store_features(const cylint_closest_columns *to, size_t i, size_t n,
     write_features(to, i, n, at, of_lane);
 }
 
-/* Writes what is wanted; returns where all of that is certain.  With heads and tails
- * the distance, and the feature where it is wanted; described: in pairs, also point
- * and normal. */
+/* Writes what is wanted; returns where all of that is certain.  With heads and
+ * tails the distance, and the feature where it is wanted; described: in pairs, also
+ * point and normal. */
 INLINE vm answer_lanes(const cylint_shape *const at[LANES], int kind,
                        const shape_lanes *s, const vd x[3], size_t i, size_t n,
                        const cylint_closest_columns *to, unsigned want,
