@@ -79,10 +79,10 @@ INLINE void store_features(const cylint_closest_columns *to, size_t i, size_t n,
 /* Writes what is wanted; returns where all of that is certain.  With heads and
  * tails the distance, and the feature where it is wanted; described: in pairs, also
  * point and normal. */
-INLINE vm answer_lanes(const cylint_shape *const at[LANES], int kind,
-                       const shape_lanes *s, const vd x[3], size_t i, size_t n,
-                       const cylint_closest_columns *to, unsigned want,
-                       int described)
+INLINE vm write_lanes(const cylint_shape *const at[LANES], int kind,
+                      const shape_lanes *s, const vd x[3], size_t i, size_t n,
+                      const cylint_closest_columns *to, unsigned want,
+                      int described)
 {
     const int with_part = (want & CYLINT_WANT_PART) != 0;
     const int axial = kind != CYLINT_KIND_SPHERE;
@@ -153,11 +153,11 @@ size_t CYLINT_DISTANCE_LANES(const cylint_shape *shapes, size_t each,
                 load_shapes(&s, at, described);
             load_points(x, xyz, i, n);
             certain = m_bits(
-                !described ? answer_lanes(at, kind, &s, x, i, n, &to, want, 0)
+                !described ? write_lanes(at, kind, &s, x, i, n, &to, want, 0)
                 : kind == CYLINT_KIND_SPHERE /* it has no axis */
-                    ? answer_lanes(at, CYLINT_KIND_SPHERE, &s, x, i, n, &to,
-                                   want, 1)
-                    : answer_lanes(at, kind, &s, x, i, n, &to, want, 1));
+                    ? write_lanes(at, CYLINT_KIND_SPHERE, &s, x, i, n, &to,
+                                  want, 1)
+                    : write_lanes(at, kind, &s, x, i, n, &to, want, 1));
         }
         for (size_t lane = 0; lane < LANES && lane < n; lane++) {
             uncertain[count] = i + lane;
