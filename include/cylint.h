@@ -264,7 +264,9 @@ CYLINT_API cylint_kind cylint_arguments(const cylint_shape *shape,
 /* --------------------------------------------------------------- lines -- */
 
 /* A line o + t d with its domain tmin <= t <= tmax.  tmin and tmax may be
- * infinite.  Written by one of the constructors below. */
+ * infinite.  Written by one of the constructors below.  A program may then change
+ * tmin and tmax, but not to NaN: if tmin > tmax, the line has no hits and no
+ * pieces. */
 typedef struct cylint_line {
     double o[3];
     double d[3];  /* the direction: the nearest doubles */
@@ -471,8 +473,8 @@ CYLINT_API int cylint_contains(const cylint_shape *shape,
  *     zero and all coordinates of the hit are below 2^-969 in absolute value.
  *
  * It takes up to some 0.3 ms at the apex of a double cone and where a shape is hit
- * from 1e16 times its size away, and up to 10 ms if exponents of the numbers differ
- * by hundreds.
+ * from 1e16 times its size away, and up to 200 ms (observed) if exponents of the
+ * numbers differ by hundreds.
  *
  * Let q be the point of a convex solid nearest to an outside point p: a ray
  * p + t d with d.(p - q) >= 0 misses the solid.  A ray from an inside point of

@@ -507,7 +507,7 @@ static size_t find_pieces(collector *c, sweep *s, cylint_workspace *work)
         }
         const size_t n = pieces_of_chords(c, work, s);
         const double begin = c->n > 0 ? c->chord[0].t0 : 0;
-        if (n == s->capacity || n == CYLINT_NO_ROOM ||
+        if (i == 0 || n == s->capacity || n == CYLINT_NO_ROOM ||
             !cylint_less(c->complete, c->line->tmax))
             return n;
         least_complete = c->complete + FARTHER * (c->complete - begin);

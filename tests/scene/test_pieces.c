@@ -260,6 +260,31 @@ TEST(an_invalid_line_or_point_is_in_no_solid)
           owner == world.n);
 }
 
+/* A program may change tmin and tmax.  NaN is not allowed, but the search ends. */
+TEST(a_line_with_an_empty_domain_has_no_hits_and_no_pieces)
+{
+    static const double empty[][2] = {
+        {1, 0}, {HUGE_VAL, -HUGE_VAL}, {NAN, NAN}, {NAN, 0}};
+    static world_answers got;
+    cylint_interval chord[2];
+    stream = 5;
+    begin_world();
+    cylint_line line = any_line();
+    for (size_t i = 0; i < sizeof empty / sizeof *empty; i++) {
+        line.tmin = empty[i][0];
+        line.tmax = empty[i][1];
+        for (size_t j = 0; j < world.n; j++)
+            CHECK(!cylint_occluded(&world.shape[j], &line) &&
+                  cylint_chord(&world.shape[j], &line, chord) == 0);
+        CHECK(cylint_scene_count(world.scene, &line, 0) == 0);
+        answer_all(world.scene, &line, &got);
+        CHECK(got.boundary == world.n && got.sum == 0);
+        for (int mode = CYLINT_PIECES_UNION; mode <= CYLINT_PIECES_CHORDS;
+             mode++)
+            CHECK(got.n[mode] == 0);
+    }
+}
+
 /* --------------------------------------------------------- environment -- */
 
 /* Half of the lines have such long directions that t is subnormal. */
