@@ -97,7 +97,7 @@ CYLINT_API size_t cylint_sizeof_closest(void);
  * The distance is 0 if and only if the point is on the surface: a distance that
  * would round to 0 becomes the least subnormal number.  All these numbers are the
  * same in every rounding mode, and 0 is never -0.  Where exponents of the data
- * differ by a thousand, an answer can take 2 milliseconds (observed).
+ * differ by a thousand, an answer can take 3 milliseconds (observed).
  *
  * Elliptic kinds: the sign is exact, and the distance is 0 if and only if the point
  * is on the surface.  In rounding to nearest the answers are proved to be as for
