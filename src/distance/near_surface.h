@@ -198,7 +198,7 @@ ASIDE void find_direction(half_plane *m, const cylint_shape *s,
         A[i] = triple_of(0);
         A[(i + 1) % 3] = triple_neg(w[(i + 2) % 3]);
         A[(i + 2) % 3] = w[(i + 1) % 3];
-        error = 0;
+        error = 0; /* mutant '0' -> '1': slower, by exact numbers */
     }
     EACH(i, 3) {
         m->across[i] = pair_of_triple(A[i]);

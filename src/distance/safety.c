@@ -12,11 +12,7 @@
  *
  * Elliptic kinds: elliptic_certain.c.
  */
-#ifdef __GNUC__
-#define CYLINT_NARROW /* two lanes, whatever the compiler's flags */
-#else
-#define CYLINT_ONE_LANE
-#endif
+#define CYLINT_NARROW
 #include "../dispatch.h"
 #include "../numbers/bits.h"
 #include "../numbers/simd.h"
