@@ -117,16 +117,25 @@ exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
     return larger > 0 ? combine(arena, x, y, 1) : combine(arena, y, x, 1);
 }
 
-/* sum += x y, where the limb of sum above those of y is 0. */
-static void add_product(uint32_t *sum, uint32_t x, const uint32_t *y, int n)
+/* sum += (x[0] + x[1] 2^32) y, where the limbs of sum above those of y are 0.  The
+ * carries of the two rows do not wait for each other. */
+static void add_products(uint32_t *sum, const uint32_t x[2], const uint32_t *y,
+                         int n)
 {
-    uint64_t carry = 0;
+    uint64_t carry0 = 0, carry1 = 0;
+    uint32_t before = 0;
     for (int i = 0; i < n; i++) {
-        carry += (uint64_t)x * y[i] + sum[i];
-        sum[i] = (uint32_t)carry;
-        carry >>= 32;
+        carry0 += (uint64_t)x[0] * y[i] + sum[i];
+        carry1 += (uint64_t)x[1] * before + (uint32_t)carry0;
+        before = y[i];
+        sum[i] = (uint32_t)carry1;
+        carry0 >>= 32;
+        carry1 >>= 32;
     }
-    sum[n] = (uint32_t)carry;
+    carry1 += (uint64_t)x[1] * before + carry0;
+    sum[n] = (uint32_t)carry1;
+    if (carry1 >> 32) /* never if x[1] is 0 */
+        sum[n + 1] = (uint32_t)(carry1 >> 32);
 }
 
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
@@ -136,9 +145,11 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
     const int n = x.n + y.n;
     uint32_t *limb = take(arena, n);
     memset(limb, 0, (size_t)n * sizeof *limb);
-    for (int i = 0; i < x.n; i++)
-        if (x.limb[i] != 0) /* most limbs of a sum of distant sizes are 0 */
-            add_product(limb + i, x.limb[i], y.limb, y.n);
+    for (int i = 0; i < x.n; i += 2) {
+        const uint32_t two[2] = {x.limb[i], i + 1 < x.n ? x.limb[i + 1] : 0};
+        if (two[0] | two[1]) /* most limbs of a sum of distant sizes are 0 */
+            add_products(limb + i, two, y.limb, y.n);
+    }
     return trimmed(arena, limb, n, x.exponent + y.exponent, x.sign * y.sign);
 }
 
