@@ -112,7 +112,7 @@ CYLINT_API double cylint_distance(const cylint_shape *shape,
                                   cylint_closest *answer);
 
 /*
- * cylint_safety - a lower bound of the distance, cheaper than the distance
+ * cylint_safety - a lower bound of the distance, cheaper than cylint_distance()
  *
  * Returns a number from 0 to the absolute distance of the point from the
  * surface, never above it.  HUGE_VAL where there is no surface and where

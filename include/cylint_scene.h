@@ -375,8 +375,9 @@ CYLINT_API size_t cylint_scene_within(const cylint_scene *scene,
  * returns the hit on a bore's cylinder as well.
  */
 
-/* Shape number `shape` belongs to a clause of solid number `solid`.  clause: its
- * number > 0; negative: the complement of the shape does. */
+/* Shape number `shape` belongs to a clause of a solid.  solid: an index from 0 on,
+ * the same for all members of the solid, which only cylint_scene_set_solids()
+ * reads.  clause: its number > 0; negative: the complement of the shape does. */
 typedef struct cylint_member {
     size_t shape, solid;
     int clause;
@@ -391,7 +392,7 @@ typedef struct cylint_member {
  * The number of a solid, for ranks, pieces and labels, is that of its least shape
  * that is not a complement; if there is none, of its least shape.
  *
- * EUNFINISHED; EMEMORY; ESIZE: there is no such shape, a solid's number is n or
+ * EUNFINISHED; EMEMORY; ESIZE: there is no such shape, a solid's index is n or
  * more, or n is more than 2^28.  ESOLID: a clause is 0 or INT_MIN, or two solids
  * have the same number.  A failure changes nothing.
  */
@@ -568,7 +569,7 @@ CYLINT_API void cylint_scene_count_lines(const cylint_scene *scene,
 /*
  * cylint_scene_closest() for each point, within radii[i]; radii = NULL stands
  * for HUGE_VAL for all.  numbers[i] is that of the shape whose surface is
- * nearest.  If no surface is within the radius, or the radius is negative or NaN,
+ * nearest, without CYLINT_SIGNED.  If no surface is within the radius, or the radius is negative or NaN,
  * or a coordinate of the point is infinite or NaN, numbers[i] is the number of all
  * shapes, part and feature are -1, the other members NaN.  `answers` may be NULL.
  */
