@@ -83,10 +83,11 @@ static bounded_pairs close_to_cone(const half_plane *m, const cylint_shape *s,
                                : W;
     const pair units = pair_mul(unit, unit),
                radius = pair_div(pair_of_triple(c), unit);
+    /* beside a flat cone the radius can be far larger than all lengths */
     bounded_pairs to =
         over_sum(triple_det(q, g, c, c), round ? units : pair_div(units, C),
                  pair_add(round ? pair_mul(C, m->rho) : m->rho, radius),
-                 m->size, m->error);
+                 cylint_larger(m->size, radius.hi), m->error);
     /* beyond the apex the other nappe can be nearer */
     if (radius.hi < 0)
         to.e = HUGE_VAL;
