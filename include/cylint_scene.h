@@ -569,10 +569,10 @@ CYLINT_API void cylint_scene_count_lines(const cylint_scene *scene,
 /*
  * cylint_scene_closest() for each point, without CYLINT_SIGNED, within radii[i];
  * radii = NULL stands for HUGE_VAL for all.  numbers[i] is that of the shape whose
- * surface is nearest.  If no surface is within the radius, or the radius is negative
- * or NaN, or a coordinate of the point is infinite or NaN, numbers[i] is the number
- * of all shapes, part and feature are -1, the other members NaN.  `answers` may be
- * NULL.
+ * surface is nearest.  If no surface is within the radius, or the radius is
+ * negative or NaN, or a coordinate of the point is infinite or NaN, numbers[i] is
+ * the number of all shapes, part and feature are -1, the other members NaN.
+ * `answers` may be NULL.
  */
 CYLINT_API void cylint_scene_closest_points(
     const cylint_scene *scene, const cylint_points *points, const double *radii,
