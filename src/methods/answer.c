@@ -195,11 +195,16 @@ static void write_hit(const cylint_shape *shape, const cylint_line *line,
 
 /* -------------------------------------------------------------- answer -- */
 
-cylint_status cylint_method_not_applicable(cylint_answer *answer)
+static void refuse(cylint_answer *answer)
 {
     answer->relation = CYLINT_RELATION_MISS;
     answer->n = 0;
     answer->flags = CYLINT_FLAG_INVALID;
+}
+
+cylint_status cylint_method_not_applicable(cylint_answer *answer)
+{
+    refuse(answer);
     return CYLINT_EMETHOD;
 }
 
@@ -224,7 +229,7 @@ cylint_status cylint_method_report(const cylint_shape *shape,
                                    cylint_answer *answer)
 {
     if (!line->valid) {
-        cylint_method_not_applicable(answer);
+        refuse(answer);
         return CYLINT_OK;
     }
     answer->relation = chord->relation;
