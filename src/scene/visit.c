@@ -133,7 +133,7 @@ typedef struct {
     size_t except;
     unsigned want;
     int stopped;
-    int is_cut; /* a lesser `last` has ended the line in the hierarchy's box */
+    int is_cut; /* a lesser `last` may have left out shapes */
     int is_of_chords;
     cylint_use_found *callback;
     void *context;

@@ -331,7 +331,8 @@ static triple_number difference_of_squares(triple_number x, triple_number y,
     return triple_plus(triple_times(x, y), triple_times(z, z));
 }
 
-/* near_surface.h, where the size of the question is 1. */
+/* near_surface.h, where the size that over_sum() gets is 1: no length is larger,
+ * nor is the radius of a cone beside the point. */
 static const triple_number ONE = {1, 0, 0},
                            ONES[3] = {{1, 0, 0}, {1, 0, 0}, {1, 0, 0}};
 
