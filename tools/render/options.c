@@ -180,6 +180,7 @@ static int settle(struct options *o, char **argv, int files)
     v->has_target = is_given(o, "look-at");
     v->has_from = is_given(o, "from");
     v->aspect = (double)o->size[0] / o->size[1];
+    v->rows = o->size[1];
     if (v->has_from && v->from.v[0] == 0 && v->from.v[1] == 0 &&
         !is_given(o, "up"))
         v->up = vector(0, 1, 0);

@@ -112,6 +112,13 @@ static int has_finite_size(const struct view *view)
     return view->half_width < HUGE_VAL && view->half_height < HUGE_VAL;
 }
 
+/* Whether doubles distinguish the rays of two neighbouring pixels. */
+static int has_distinct_rays(const struct view *view, int rows)
+{
+    const double size = view->is_parallel ? length(view->eye) : 1;
+    return size + 2 * view->half_height / rows > size;
+}
+
 const char *view_of_scene(struct view *view, const struct viewing *camera,
                           const struct boxes *boxes)
 {
@@ -142,7 +149,11 @@ const char *view_of_scene(struct view *view, const struct viewing *camera,
         return TOO_LARGE;
     view->half_width /= camera->zoom;
     view->half_height /= camera->zoom;
-    return has_finite_size(view) ? NULL : "--zoom is too small";
+    return !has_finite_size(view) ? "--zoom is too small"
+           : !has_distinct_rays(view, camera->rows)
+               ? "neighbouring pixels have the same ray; use a larger --fov or "
+                 "a smaller --zoom"
+               : NULL;
 }
 
 void view_sample(const struct drawing *drawing, int x, int y, int i,

@@ -45,6 +45,7 @@ struct viewing {
     int is_parallel; /* all lines have one direction */
     double zoom;
     double aspect; /* the picture's width over its height */
+    int rows;      /* of the picture's pixels */
 };
 
 struct view {
