@@ -56,6 +56,7 @@ $(foreach v,BUILD DESTDIR PREFIX,$(if $(word 2,x$($v))$(strip $(foreach c,$(spec
 # A step prints one short line; with V=1 it prints its command.
 options := $(firstword -$(MAKEFLAGS))
 say      = $(if $(V)$(findstring s,$(options)),,@echo '$(1)';)
+quietly  = $(if $(V),,@)
 
 # $(BUILD)/config.mk lists what this machine has: MPFR, PNG, EMBREE (3, 4
 # or nothing), PTHREAD and so on.  `make MPFR= check` does without MPFR.  If the
@@ -262,10 +263,10 @@ install_shared = install -m 755 $(call dynamic,$(1)) $(DESTDIR)$(LIBDIR)/$(call 
 	ln -sf $(call shared,$(1),$(version)) $(call shared,$(1),$(major)) && ln -sf $(call shared,$(1),$(major)) $(call shared,$(1))
 endif
 define install_library
-install -m 644 $(BUILD)/$(1).a $(DESTDIR)$(LIBDIR)
-	$(STRIP) -S $(DESTDIR)$(LIBDIR)/$(1).a && $(AR) s $(DESTDIR)$(LIBDIR)/$(1).a
-	$(install_shared)
-	$(call fill_in_pc,$(1)) src/library.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/$(1:lib%=%).pc
+$(call say,INSTALL $(DESTDIR)$(LIBDIR)/$(1).*)install -m 644 $(BUILD)/$(1).a $(DESTDIR)$(LIBDIR)
+	$(quietly)$(STRIP) -S $(DESTDIR)$(LIBDIR)/$(1).a && $(AR) s $(DESTDIR)$(LIBDIR)/$(1).a
+	$(quietly)$(install_shared)
+	$(quietly)$(call fill_in_pc,$(1)) src/library.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/$(1:lib%=%).pc
 
 endef
 
@@ -276,19 +277,18 @@ programs    = cylint cylint-render
 completions = $(programs:%=$(DESTDIR)$(BASHDIR)/%) $(DESTDIR)$(ZSHDIR)/_cylint
 
 install-folders:
-	$(call folders_of,make) $(BINDIR) $(LIBDIR)/pkgconfig $(INCLUDEDIR) $(BASHDIR) $(ZSHDIR) $(patsubst %,$(MANDIR)/man%,1 3 7)
+	$(quietly)$(call folders_of,make) $(BINDIR) $(LIBDIR)/pkgconfig $(INCLUDEDIR) $(BASHDIR) $(ZSHDIR) $(patsubst %,$(MANDIR)/man%,1 3 7)
 
 # STRIP=: leaves the symbols for debuggers in the installed files.
 install: all install-folders ## install into $(DESTDIR)$(PREFIX)
-	$(if $(commands),install -m 755 $(commands) $(DESTDIR)$(BINDIR))
-	$(if $(commands),$(STRIP) $(patsubst $(BUILD)/%,$(DESTDIR)$(BINDIR)/%,$(commands)))
-	install -m 644 tools/render/autumn.awk $(DESTDIR)$(PREFIX)/share/cylint
+	$(if $(commands),$(call say,INSTALL $(commands:$(BUILD)/%=$(DESTDIR)$(BINDIR)/%))install -m 755 $(commands) $(DESTDIR)$(BINDIR))
+	$(if $(commands),$(quietly)$(STRIP) $(commands:$(BUILD)/%=$(DESTDIR)$(BINDIR)/%))
 	$(foreach l,$(libraries),$(call install_library,$l))
-	install -m 644 $(headers) $(DESTDIR)$(INCLUDEDIR)
-	install -m 644 README.md LICENSE man/CHANGES.md $(DESTDIR)$(DOCDIR)
-	for program in $(programs); do install -m 644 tools/cylint/completion $(DESTDIR)$(BASHDIR)/$$program || exit; done
-	install -m 644 tools/cylint/completion $(DESTDIR)$(ZSHDIR)/_cylint
-	$(foreach s,1 3 7,install -m 644 $(wildcard man/*.$s) $(DESTDIR)$(MANDIR)/man$s &&) true
+	$(call say,INSTALL $(DESTDIR)$(INCLUDEDIR)/cylint*.h)install -m 644 $(headers) $(DESTDIR)$(INCLUDEDIR)
+	$(call say,INSTALL $(DESTDIR)$(MANDIR)/man*/cylint*)$(foreach s,1 3 7,install -m 644 $(wildcard man/*.$s) $(DESTDIR)$(MANDIR)/man$s &&) true
+	$(call say,INSTALL $(DESTDIR)$(PREFIX)/share: documents and completions)install -m 644 README.md LICENSE man/CHANGES.md $(DESTDIR)$(DOCDIR)
+	$(quietly)install -m 644 tools/render/autumn.awk $(DESTDIR)$(PREFIX)/share/cylint
+	$(quietly)for file in $(completions); do install -m 644 tools/cylint/completion $$file || exit; done
 	@$(if $(DESTDIR),,sh tools/install_hints.sh '$(BINDIR)' '$(LIBDIR)' '$(MANDIR)')
 
 uninstall: ## remove what install wrote

@@ -40,7 +40,7 @@ wheel: ## write wheels for Linux (manylinux, musllinux) and the source distribut
 cmake_files = $(addprefix $(DESTDIR)$(LIBDIR)/cmake/cylint/,cylint-config.cmake cylint-config-version.cmake)
 install: install-cmake
 install-cmake: install-folders
-	$(foreach f,$(cmake_files),$(fill_in) tools/package/cmake/$(notdir $f).in > $f &&) true
+	$(quietly)$(foreach f,$(cmake_files),$(fill_in) tools/package/cmake/$(notdir $f).in > $f &&) true
 
 uninstall: uninstall-cmake
 uninstall-cmake:
