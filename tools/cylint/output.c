@@ -94,20 +94,18 @@ static int open_part(struct output *out, unsigned mode)
 }
 
 /* Sets out->fd to a new part.  `old` is the file in its place, NULL if there is
- * none.  Returns 0 if it cannot be opened, or not with the old owner. */
+ * none.  The part gets its permissions, and its owner if that is allowed.  Returns
+ * 0 if it cannot be opened. */
 static int begin_part(struct output *out, const struct stat *old)
 {
     sigset_t before;
     block_deadly(&before);
-    int fd = open_part(out, old ? old->st_mode & 0777 : 0666);
-    if (fd >= 0 && old &&
-        (fchown(fd, old->st_uid, old->st_gid) != 0 ||
-         fchmod(fd, old->st_mode & 07777) != 0)) {
-        unlink(out->part);
-        close(fd);
-        fd = -1;
-    }
+    const int fd = open_part(out, old ? old->st_mode & 0777 : 0666);
     if (fd >= 0) {
+        if (old)
+            fchmod(fd, fchown(fd, old->st_uid, old->st_gid) == 0
+                           ? old->st_mode & 07777
+                           : old->st_mode & 0777);
         out->fd = fd;
         remove_at_signals(out->part);
     } else {
@@ -167,11 +165,13 @@ static int open_target(struct output *out, const char *name)
         close(fd);
         return 0;
     }
-    if (realpath(name, out->place) && begin_part(out, &old)) {
-        close(fd);
-        return 0;
-    }
-    return ftruncate(fd, 0) == 0 ? 0 : complain_errno(out->name);
+    const int status =
+        realpath(name, out->place) && begin_part(out, &old)
+            ? 0
+            : complain(EXIT_IO, out->name, "cannot be replaced: %s",
+                       strerror(errno));
+    close(fd);
+    return status;
 }
 
 /* -------------------------------------------------------------- output -- */
