@@ -60,11 +60,16 @@ static int rounds_to_nearest(void)
            odd + half == 1 + 0x1p-51;
 }
 
-/* Called in rounding to nearest.  Reciprocal estimates fail this test. */
+/* Called in rounding to nearest.  Reciprocal estimates fail this test, and products
+ * of one reciprocal in place of quotients with one divisor. */
 /* untaken: in broken builds only, which tests/numbers/test_guards.sh makes */
 static int quotients_are_off(void)
 {
-    return unfolded(1) / unfolded(3) != 0x1.5555555555555p-2 ||
+    const double three = unfolded(3);
+    const double third = unfolded(1) / three, thirds = unfolded(5) / three,
+                 more = unfolded(7) / three;
+    return third != 0x1.5555555555555p-2 || thirds != 0x1.aaaaaaaaaaaabp+0 ||
+           more != 0x1.2aaaaaaaaaaabp+1 ||
            unfolded(5) / unfolded(7) != 0x1.6db6db6db6db7p-1 ||
            sqrt(unfolded(2)) != 0x1.6a09e667f3bcdp+0 ||
            sqrt(unfolded(3)) != 0x1.bb67ae8584caap+0;

@@ -84,6 +84,8 @@ rm "$scratch/float.h"
 found 0 -ffp-contract=off
 found 0 -O0 -ffp-contract=off
 found 0 -O3 -march=native -ffp-contract=off
+# clang has no macro for this flag; as if gcc had none
+found "$(bit UNROUNDED)" -ffp-contract=off -freciprocal-math -U__RECIPROCAL_MATH__
 # clang's flag overrides the pragma of the source
 fused=$(bit CONTRACTED)
 grep -qw fma /proc/cpuinfo 2>/dev/null && found "$fused" -mfma -ffp-contract=fast
