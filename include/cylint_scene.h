@@ -134,17 +134,16 @@ CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
  * the tree above them stays, so queries take longer if shapes move away from their
  * neighbours: see cylint_scene_worsening().
  *
- * Uses one thread and, while it works, 4 to 32 bytes for each shape of the scene.
- * A few shapes that stay within the box of all cost least; if one leaves it, or the
- * box becomes much smaller, the boxes of all are computed again.  No other thread
- * may use the scene at the same time.
+ * Uses one thread and allocates nothing.  A few shapes that stay within the box of
+ * all cost least; if one leaves it, or the box becomes much smaller, the boxes of
+ * all are computed again.  No other thread may use the scene at the same time.
  *
  * EUNFINISHED and EOPENED: not such a scene.  ESIZE: first + n is more than the
  * number of shapes.  EREPLACE: a shape is elliptic and the one before is not, or
  * the reverse; the constructor refused one of them, not the other; or a shape is
  * unbounded or has points beyond 2^400 (some shapes: 2^398), and the one with which
- * the scene was made is in the hierarchy (cylint_scene_finish()).  A failure,
- * EMEMORY too, changes nothing.
+ * the scene was made is in the hierarchy (cylint_scene_finish()).  A failure
+ * changes nothing.
  */
 CYLINT_API cylint_scene_status cylint_scene_refit(cylint_scene *scene,
                                                   size_t first, size_t n,

@@ -71,14 +71,11 @@ void cylint_bvh_free(cylint_bvh *bvh);
  * Shapes [first, first + n) have moved, within the box of the hierarchy.  Their
  * slices stay in their lanes; leaves that contain one, and the nodes above these,
  * are bounded again.  No box is larger than a new build over the same leaves would
- * make it, but for up to two steps of the faces of each node below.
- *
- * extents: memory for one of each leaf and node.  Returns the box of all shapes, if
- * any of them has moved.
+ * make it, but for up to two steps of the faces of each node below.  Returns the box
+ * of all shapes, if any of them has moved.
  */
 cylint_extent cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view,
-                               uint32_t first, uint32_t n,
-                               cylint_extent *extents);
+                               uint32_t first, uint32_t n);
 
 /* The mean number of nodes and leaves that a traversal visits for a random line
  * through the centre of one of their boxes.  After a refit the boxes are those of

@@ -5,6 +5,13 @@
 
 #include <math.h>
 
+/* The hierarchy, and which shapes have moved. */
+typedef struct {
+    const cylint_bvh *bvh;
+    const cylint_view *view;
+    uint32_t first, n;
+} moved_shapes;
+
 /* Boxes of leaves and nodes that have not moved are empty. */
 static int has_moved(const cylint_extent *box)
 {
@@ -45,20 +52,17 @@ static int contains_one(const cylint_leaf *leaf, uint32_t first, uint32_t n)
     return contains;
 }
 
-static void refit_leaves(const cylint_bvh *bvh, const cylint_view *view,
-                         uint32_t first, uint32_t n, cylint_extent *leaf_box)
+/* Bounds a leaf again, if a shape in it has moved.  Returns the box of its slices, or
+ * the empty box. */
+static cylint_extent refit_leaf(const moved_shapes *m, cylint_leaf *leaf)
 {
-    cylint_leaf *leaves = bvh->leaf_memory.data;
-    for (size_t i = 0; i < bvh->n_leaves; i++) {
-        leaf_box[i] = cylint_extent_empty();
-        if (!contains_one(&leaves[i], first, n))
-            continue;
-        leaf_slices slices;
-        read_slices(&slices, &leaves[i], view);
-        cylint_leaf_fill(&leaves[i], slices.disc, slices.slice,
-                         cylint_leaf_used(&leaves[i]), view->line_error);
-        leaf_box[i] = slices.box;
-    }
+    leaf_slices slices;
+    if (!contains_one(leaf, m->first, m->n))
+        return cylint_extent_empty();
+    read_slices(&slices, leaf, m->view);
+    cylint_leaf_fill(leaf, slices.disc, slices.slice, cylint_leaf_used(leaf),
+                     m->view->line_error);
+    return slices.box;
 }
 
 /* ----------------------------------------------------------------- nodes -- */
@@ -165,24 +169,25 @@ static cylint_extent refit_node(const cylint_bvh *bvh, const cylint_view *view,
     return all;
 }
 
-cylint_extent cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view,
-                               uint32_t first, uint32_t n,
-                               cylint_extent *extents)
+/* Bounds a leaf, or a node and those below it, again.  Returns as refit_node(). */
+static cylint_extent refit_below(const moved_shapes *m, uint32_t number)
 {
-    cylint_node *nodes = bvh->node_memory.data;
-    cylint_extent *leaf_box = extents, *node_box = extents + bvh->n_leaves;
-    refit_leaves(bvh, view, first, n, leaf_box);
-    for (size_t i = bvh->n_nodes; i-- > 0;) { /* children come after nodes */
-        cylint_extent box[CYLINT_CHILDREN];
-        for (int k = 0; k < CYLINT_CHILDREN && nodes[i].children >> k; k++) {
-            const uint32_t child = nodes[i].child[k];
-            box[k] = child & CYLINT_LEAF_FLAG
-                         ? leaf_box[child & ~CYLINT_LEAF_FLAG]
-                         : node_box[child];
-        }
-        node_box[i] = refit_node(bvh, view, &nodes[i], box);
+    cylint_extent box[CYLINT_CHILDREN];
+    if (number & CYLINT_LEAF_FLAG) {
+        cylint_leaf *leaves = m->bvh->leaf_memory.data;
+        return refit_leaf(m, &leaves[number & ~CYLINT_LEAF_FLAG]);
     }
-    return node_box[0];
+    cylint_node *node = (cylint_node *)m->bvh->node_memory.data + number;
+    for (int k = 0; k < CYLINT_CHILDREN && node->children >> k; k++)
+        box[k] = refit_below(m, node->child[k]);
+    return refit_node(m->bvh, m->view, node, box);
+}
+
+cylint_extent cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view,
+                               uint32_t first, uint32_t n)
+{
+    const moved_shapes moved = {bvh, view, first, n};
+    return refit_below(&moved, 0);
 }
 
 /* ------------------------------------------------------------------ cost -- */

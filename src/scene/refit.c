@@ -1,8 +1,6 @@
 /*
  * refit.c - moves shapes of a scene
  */
-#include <stdlib.h>
-
 #include "scene.h"
 
 /* The shapes that take the places of [first, first + n). */
@@ -98,48 +96,34 @@ static int shrink_frame(const cylint_scene *s, const cylint_extent *box,
     return longest_side(frame->lo, frame->hi) < longest / 2;
 }
 
-/* Sets the frame, and the hierarchy's box to that of all slices that fit in it. */
-static void set_frame(cylint_scene *s, const cylint_frame *frame)
+/* Bounds all shapes in another frame.  The hierarchy's box is that of all slices
+ * that fit in it. */
+static void refit_in_frame(cylint_scene *s, const cylint_frame *frame)
 {
     double lo[3], hi[3];
     s->frame = *frame;
     load_box_of_slices(frame, frame->lo, frame->hi, lo, hi);
     const cylint_extent box = cylint_float_box(lo, hi);
     cylint_bvh_set_box(&s->bvh, &box, CYLINT_FRAME_ERROR);
-}
-
-static void replace_records(const replacement *r)
-{
-    for (size_t i = 0; i < r->n; i++)
-        cylint_record_replace(&r->scene->records, r->first + i, &r->shapes[i]);
+    cylint_bvh_refit(&s->bvh, &s->frame.view, 0, UINT32_MAX);
 }
 
 /* Bounds the shapes that moved, or all in a new frame. */
-static cylint_scene_status refit_hierarchy(replacement *r)
+static void refit_hierarchy(const replacement *r)
 {
     cylint_scene *s = r->scene;
     cylint_frame frame;
-    const int reframes = !stays_in_frame(r);
-    cylint_extent *extents =
-        malloc((s->bvh.n_leaves + s->bvh.n_nodes) * sizeof *extents);
-    if (!extents)
-        return CYLINT_SCENE_EMEMORY;
     if (s->built_cost == 0)
         s->built_cost = cylint_bvh_cost(&s->bvh);
-    replace_records(r);
-    if (reframes) {
+    if (stays_in_frame(r)) {
+        const cylint_extent box = cylint_bvh_refit(
+            &s->bvh, &s->frame.view, (uint32_t)r->first, (uint32_t)r->n);
+        if (!shrink_frame(s, &box, &frame))
+            return;
+    } else {
         make_frame(s, &frame);
-        set_frame(s, &frame);
     }
-    const cylint_extent box = cylint_bvh_refit(
-        &s->bvh, &s->frame.view, reframes ? 0 : (uint32_t)r->first,
-        reframes ? UINT32_MAX : (uint32_t)r->n, extents);
-    if (!reframes && shrink_frame(s, &box, &frame)) {
-        set_frame(s, &frame);
-        cylint_bvh_refit(&s->bvh, &s->frame.view, 0, UINT32_MAX, extents);
-    }
-    free(extents);
-    return CYLINT_SCENE_OK;
+    refit_in_frame(s, &frame);
 }
 
 cylint_scene_status cylint_scene_refit(cylint_scene *scene, size_t first,
@@ -158,13 +142,10 @@ cylint_scene_status cylint_scene_refit(cylint_scene *scene, size_t first,
         return CYLINT_SCENE_ESIZE;
     if (!measure_all(&r))
         return CYLINT_SCENE_EREPLACE;
-    if (r.box.n > 0) {
-        const cylint_scene_status status = refit_hierarchy(&r);
-        if (status != CYLINT_SCENE_OK)
-            return status;
-    } else {
-        replace_records(&r);
-    }
+    for (size_t i = 0; i < n; i++)
+        cylint_record_replace(&scene->records, first + i, &shapes[i]);
+    if (r.box.n > 0)
+        refit_hierarchy(&r);
     if (r.box.n < n)
         cylint_scene_pack_others(scene);
     return CYLINT_SCENE_OK;
