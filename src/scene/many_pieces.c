@@ -7,6 +7,7 @@
 #include "../bvh/threads.h"
 #include "../intersect.h"
 #include "../numbers/exact_sum.h"
+#include "piece_memory.h"
 #include "scene.h"
 
 enum {
@@ -16,14 +17,57 @@ enum {
     FIRST_PIECES = 256
 };
 
+/* -------------------------------------------------------------- memory -- */
+
+int cylint_grow_workspace(cylint_workspace *work)
+{
+    const size_t wanted = work->wanted + work->wanted / 2;
+    free(work->memory);
+    work->bytes = wanted > FIRST_BYTES ? wanted : FIRST_BYTES;
+    work->memory = malloc(work->bytes);
+    if (!work->memory)
+        work->bytes = 0;
+    return work->memory != NULL;
+}
+
+static int grow_pieces(cylint_piece_memory *m)
+{
+    const size_t capacity = 2 * m->capacity + FIRST_PIECES;
+    cylint_piece *grown = cylint_resized(m->piece, capacity, sizeof *grown);
+    if (!grown)
+        return 0;
+    m->piece = grown;
+    m->capacity = capacity;
+    return 1;
+}
+
+int cylint_add_pieces(const cylint_scene *scene, const cylint_line *line,
+                      const cylint_piece_rule *rule, size_t most,
+                      cylint_piece_memory *m)
+{
+    if (m->capacity - m->n < FIRST_PIECES && !grow_pieces(m))
+        return 0;
+    for (;;) {
+        const size_t room = m->capacity - m->n,
+                     wanted = most > 0 && most < room ? most : room;
+        const size_t n = cylint_scene_pieces(scene, line, rule, m->piece + m->n,
+                                             wanted, &m->work);
+        if (n != CYLINT_NO_ROOM && (n < room || n == most)) {
+            m->n += n;
+            return 1;
+        }
+        if (n == CYLINT_NO_ROOM ? !cylint_grow_workspace(&m->work)
+                                : !grow_pieces(m))
+            return 0;
+    }
+}
+
 /* -------------------------------------------------------------- blocks -- */
 
-/* The pieces of the lines that a thread takes, and memory to find them. */
+/* The pieces of the lines that a thread takes. */
 typedef struct {
     int has_failed;
-    cylint_workspace work;
-    cylint_piece *pieces;
-    size_t n, capacity;
+    cylint_piece_memory found;
 } piece_block;
 
 typedef struct {
@@ -43,55 +87,12 @@ typedef struct {
     double *sums;
 } pieces_query;
 
-static int grow_workspace(cylint_workspace *work, size_t bytes)
-{
-    free(work->memory); /* nothing stays in it */
-    work->memory = malloc(bytes);
-    work->bytes = work->memory ? bytes : 0;
-    return work->memory != NULL;
-}
-
-static int grow_pieces(piece_block *b)
-{
-    const size_t capacity = 2 * b->capacity + FIRST_PIECES;
-    cylint_piece *grown = cylint_resized(b->pieces, capacity, sizeof *grown);
-    if (!grown)
-        return 0;
-    b->pieces = grown;
-    b->capacity = capacity;
-    return 1;
-}
-
-/* Adds all pieces of a line, or the first `most`.  Returns 0 if there is no
- * memory. */
-static int add_pieces(const pieces_query *q, const cylint_line *line,
-                      piece_block *b)
-{
-    if (b->capacity - b->n < FIRST_PIECES && !grow_pieces(b))
-        return 0;
-    for (;;) {
-        const size_t room = b->capacity - b->n,
-                     wanted = q->most > 0 && q->most < room ? q->most : room;
-        const size_t n = cylint_scene_pieces(
-            q->scene, line, &q->rule, b->pieces + b->n, wanted, &b->work);
-        if (n == CYLINT_NO_ROOM) {
-            if (!grow_workspace(&b->work, b->work.wanted + b->work.wanted / 2))
-                return 0;
-        } else if (n < room || n == q->most) {
-            b->n += n;
-            return 1;
-        } else if (!grow_pieces(b)) {
-            return 0;
-        }
-    }
-}
-
 static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
-                    piece_block *b);
+                    cylint_piece_memory *m);
 
 /* Finds the pieces of lines; for sums it keeps those of one line at a time. */
 static int find_each(const pieces_query *q, size_t from, size_t to,
-                     piece_block *b)
+                     cylint_piece_memory *m)
 {
     for (size_t i = from; i < to; i++) {
         cylint_line line;
@@ -99,13 +100,13 @@ static int find_each(const pieces_query *q, size_t from, size_t to,
             cylint_read_line(q->lines, i, &line);
         else
             line = *q->line;
-        const size_t before = q->first ? b->n : 0;
-        b->n = before;
-        if (!add_pieces(q, &line, b))
+        const size_t before = q->first ? m->n : 0;
+        m->n = before;
+        if (!cylint_add_pieces(q->scene, &line, &q->rule, q->most, m))
             return 0;
         if (q->first)
-            q->first[i + 1] = b->n - before;
-        else if (!add_sums(q, i, &line, b))
+            q->first[i + 1] = m->n - before;
+        else if (!add_sums(q, i, &line, m))
             return 0;
     }
     return 1;
@@ -116,15 +117,15 @@ static void find_block(void *self, size_t from, size_t to)
 {
     const pieces_query *q = self;
     piece_block *b = &q->block[from / LINES_AT_ONCE];
-    b->has_failed =
-        !grow_workspace(&b->work, FIRST_BYTES) || !find_each(q, from, to, b);
-    free(b->work.memory);
+    cylint_piece_memory *m = &b->found;
+    b->has_failed = !find_each(q, from, to, m);
+    free(m->work.memory);
     if (q->first) {
-        cylint_piece *kept = cylint_resized(b->pieces, b->n, sizeof *kept);
-        b->pieces = kept ? kept : b->pieces;
+        cylint_piece *kept = cylint_resized(m->piece, m->n, sizeof *kept);
+        m->piece = kept ? kept : m->piece;
     } else {
-        free(b->pieces);
-        b->pieces = NULL;
+        free(m->piece);
+        m->piece = NULL;
     }
 }
 
@@ -142,10 +143,10 @@ static int unite_rows(const pieces_query *q, cylint_piece_rows *rows)
     if (!rows->pieces)
         return 0;
     for (size_t i = 0; i < q->n_blocks; i++) {
-        const piece_block *b = &q->block[i];
-        if (b->n > 0)
-            memcpy(rows->pieces + n, b->pieces, b->n * sizeof *b->pieces);
-        n += b->n;
+        const cylint_piece_memory *m = &q->block[i].found;
+        if (m->n > 0)
+            memcpy(rows->pieces + n, m->piece, m->n * sizeof *m->piece);
+        n += m->n;
     }
     return 1;
 }
@@ -167,7 +168,7 @@ static cylint_scene_status answer_query(pieces_query *q, int threads,
         has_failed |= q->block[i].has_failed;
     has_failed = has_failed || (rows && !unite_rows(q, rows));
     for (size_t i = 0; i < q->n_blocks; i++)
-        free(q->block[i].pieces);
+        free(q->block[i].found.piece);
     if (q->block != &q->one)
         free(q->block);
     return has_failed ? CYLINT_SCENE_EMEMORY : CYLINT_SCENE_OK;
@@ -210,20 +211,20 @@ void cylint_piece_rows_free(cylint_piece_rows *rows)
 
 /* Keeps the pieces that have a label, as `shape`, sorted by it.  Returns 0 if there
  * is no memory. */
-static int label_pieces(const pieces_query *q, piece_block *b)
+static int label_pieces(const pieces_query *q, cylint_piece_memory *m)
 {
-    const size_t bytes = b->n * sizeof *b->pieces;
     size_t n = 0;
-    for (size_t i = 0; i < b->n; i++) {
-        const int label = q->label ? q->label[b->pieces[i].shape] : 0;
-        b->pieces[n] = b->pieces[i];
-        b->pieces[n].shape = (size_t)label;
+    m->work.wanted = m->n * sizeof *m->piece;
+    for (size_t i = 0; i < m->n; i++) {
+        const int label = q->label ? q->label[m->piece[i].shape] : 0;
+        m->piece[n] = m->piece[i];
+        m->piece[n].shape = (size_t)label;
         n += label >= 0 && (size_t)label < q->labels;
     }
-    b->n = n;
-    if (bytes > b->work.bytes && !grow_workspace(&b->work, bytes))
+    m->n = n;
+    if (m->work.wanted > m->work.bytes && !cylint_grow_workspace(&m->work))
         return 0;
-    sort_by_label(b->pieces, n, b->work.memory);
+    sort_by_label(m->piece, n, m->work.memory);
     return 1;
 }
 
@@ -252,18 +253,18 @@ static double product_of_lengths(double x, double y)
 }
 
 static int add_sums(const pieces_query *q, size_t i, const cylint_line *line,
-                    piece_block *b)
+                    cylint_piece_memory *m)
 {
     double *to = q->sums + i * q->labels;
-    if (!label_pieces(q, b))
+    if (!label_pieces(q, m))
         return 0;
     for (size_t j = 0; j < q->labels; j++)
         to[j] = 0;
-    const cylint_piece *p = b->pieces;
-    for (size_t j = 0, m; j < b->n; j += m) {
-        for (m = 1; j + m < b->n && p[j + m].shape == p[j].shape;)
-            m++;
-        const double sum = sum_of_lengths(p + j, m);
+    const cylint_piece *p = m->piece;
+    for (size_t j = 0, n; j < m->n; j += n) {
+        for (n = 1; j + n < m->n && p[j + n].shape == p[j].shape;)
+            n++;
+        const double sum = sum_of_lengths(p + j, n);
         to[p[j].shape] = q->in_units
                              ? product_of_lengths(sum, cylint_line_length(line))
                              : sum;

@@ -320,17 +320,17 @@ static int answer_pieces(struct task *task)
     const struct job *job = task->job;
     const cylint_piece_rule rule = rule_of(job);
     struct row *row = &task->row;
+    cylint_piece_memory *found = &task->pieces.found;
     if (job->options->sum)
         return answer_sums(task);
-    const size_t found =
-        find_pieces(job->scene.shapes, &task->record.line, &rule,
-                    (size_t)job->options->most_pieces, &task->pieces);
-    if (found == CYLINT_NO_ROOM)
+    found->n = 0;
+    if (!cylint_add_pieces(job->scene.shapes, &task->record.line, &rule,
+                           (size_t)job->options->most_pieces, found))
         return end_without_memory(task);
     row->answer.n = 2;
     row->unit = cylint_line_length(&task->record.line);
-    for (size_t i = 0; i < found && !task->ends; i++) {
-        const cylint_piece *piece = &task->pieces.piece[i];
+    for (size_t i = 0; i < found->n && !task->ends; i++) {
+        const cylint_piece *piece = &found->piece[i];
         row->answer.hit[0].t = piece->t0;
         row->answer.hit[1].t = piece->t1;
         row->depth = (double)piece->depth;

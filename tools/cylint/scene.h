@@ -12,7 +12,7 @@
 #ifndef CYLINT_COMMAND_SCENE_H
 #define CYLINT_COMMAND_SCENE_H
 
-#include "cylint_scene.h"
+#include "../../src/scene/piece_memory.h"
 #include "grammar.h"
 #include "labels.h"
 #include "output.h"
@@ -131,9 +131,7 @@ int scene_write_text(struct scene *scene, int digits, struct output *out);
 
 /* The memory of a thread.  Zero it before use. */
 struct piece_memory {
-    cylint_workspace work;
-    cylint_piece *piece; /* those found last */
-    size_t capacity;
+    cylint_piece_memory found;
     size_t *number; /* of the shapes found last */
     size_t number_capacity;
 };
@@ -149,12 +147,6 @@ int grow_numbers(struct piece_memory *memory);
  * Returns how many. */
 size_t find_hit(const cylint_scene *scene, const cylint_line *line,
                 struct piece_memory *memory);
-
-/* Writes all pieces, or the first `most` unless that is 0, to
- * memory->piece.  Returns how many. */
-size_t find_pieces(const cylint_scene *scene, const cylint_line *line,
-                   const cylint_piece_rule *rule, size_t most,
-                   struct piece_memory *memory);
 
 /* As cylint_scene_first_boundary() and cylint_scene_depth(). */
 size_t first_boundary(const cylint_scene *scene, const cylint_line *line,

@@ -21,15 +21,17 @@ struct rays {
 
 /* Adds the length of a ray inside the union.  Returns 0 if there is no memory. */
 static int add_length(const cylint_scene *scene, const cylint_line *ray,
-                      struct piece_memory *memory, double *sum)
+                      cylint_piece_memory *found, double *sum)
 {
     const cylint_piece_rule all = {CYLINT_PIECES_UNION, NULL, NULL};
-    const size_t n = find_pieces(scene, ray, &all, 0, memory);
     double t = 0;
-    for (size_t i = 0; i < n && n != CYLINT_NO_ROOM; i++)
-        t += memory->piece[i].t1 - memory->piece[i].t0;
+    found->n = 0;
+    if (!cylint_add_pieces(scene, ray, &all, 0, found))
+        return 0;
+    for (size_t i = 0; i < found->n; i++)
+        t += found->piece[i].t1 - found->piece[i].t0;
     *sum += t > 0 ? t * cylint_line_length(ray) : 0;
-    return n != CYLINT_NO_ROOM;
+    return 1;
 }
 
 /* The mean over the samples of each pixel. */
@@ -38,18 +40,19 @@ static int measure_row(const struct drawing *d, const void *rays, int y)
     const struct rays *r = rays;
     const int width = d->picture->width;
     double *lengths = r->lengths + (size_t)y * (size_t)width;
-    struct piece_memory memory = {.piece = NULL};
+    cylint_piece_memory found = {.n = 0};
     int has_memory = 1;
     for (int x = 0; x < width && has_memory; x++) {
         double sum = 0;
         for (int i = 0; i < d->samples && has_memory; i++) {
             cylint_line ray;
             view_sample(d, x, y, i, &ray);
-            has_memory = add_length(r->scene, &ray, &memory, &sum);
+            has_memory = add_length(r->scene, &ray, &found, &sum);
         }
         lengths[x] = sum / d->samples;
     }
-    piece_memory_free(&memory);
+    free(found.work.memory);
+    free(found.piece);
     return has_memory;
 }
 

@@ -239,10 +239,12 @@ void pieces(const Question &q, const Ray &ray, int64_t number,
             std::vector<Piece> &to)
 {
     const cylint_piece_rule rule = q.rule.pieces();
-    const size_t found =
-        checked(find_pieces(q.scene, &ray.line, &rule, q.rule.most, &memory));
-    for (size_t k = 0; k < found; k++) {
-        const cylint_piece &p = memory.piece[k];
+    cylint_piece_memory &found = memory.found;
+    found.n = 0;
+    if (!cylint_add_pieces(q.scene, &ray.line, &rule, q.rule.most, &found))
+        throw std::bad_alloc();
+    for (size_t k = 0; k < found.n; k++) {
+        const cylint_piece &p = found.piece[k];
         to.push_back({number, integer(p.shape), integer(p.depth), p.t0, p.t1});
     }
 }
