@@ -71,8 +71,8 @@ void cylint_bvh_free(cylint_bvh *bvh);
  * Shapes [first, first + n) have moved, within the box of the hierarchy.  Their
  * slices stay in their lanes; leaves that contain one, and the nodes above these,
  * are bounded again.  No box is larger than a new build over the same leaves would
- * make it, but for up to two steps of the faces of each node below.  Returns the box
- * of all shapes, if any of them has moved.
+ * make it, but for up to two steps of the faces of each node below.  Returns the
+ * box of all shapes, if any of them has moved.
  */
 cylint_extent cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view,
                                uint32_t first, uint32_t n);

@@ -52,8 +52,8 @@ static int contains_one(const cylint_leaf *leaf, uint32_t first, uint32_t n)
     return contains;
 }
 
-/* Bounds a leaf again, if a shape in it has moved.  Returns the box of its slices, or
- * the empty box. */
+/* Bounds a leaf again, if a shape in it has moved.  Returns the box of its slices,
+ * or the empty box. */
 static cylint_extent refit_leaf(const moved_shapes *m, cylint_leaf *leaf)
 {
     leaf_slices slices;
