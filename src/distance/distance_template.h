@@ -46,43 +46,41 @@ INLINE void NUMBER(load_shapes)(shape_lanes *v,
     v->reach = of_lanes(at, CYLINT_AT_REACH);
 }
 
-/* The distance from a rim: x across the axis from it, y along. */
-INLINE vdistance NUMBER(from_rim)(vpair x, vpair y, const half_plane *m)
+/* NaN where b is NaN. */
+INLINE vpair NUMBER(larger)(vpair a, vpair b)
 {
-    vd error = m->error;
-    const vpair root = NUMBER(length)(x, y, m, &error);
-    return NUMBER(rounded)(root, error);
+    return pick(v_lt(v_set(0), rounded(NUMBER(minus)(a, b))), a, b);
 }
 
 /* Of a convex section the largest of the distances from its lines counts, unless
  * a corner is nearest. */
-INLINE void NUMBER(from_section)(vnearest *n, const half_plane *m,
-                                 const vsection *p, vpair lateral, vpair x0,
-                                 vpair x1, int tapered)
+INLINE bounded_pairs NUMBER(from_section)(const half_plane *m,
+                                          const vsection *p, vpair lateral,
+                                          vpair x0, vpair x1, int tapered)
 {
-    const vd zero = v_set(0);
-    const vdistance beyond =
-        larger_of(NUMBER(rounded)(opposite(m->z), m->error),
-                  NUMBER(rounded)(m->above, m->error));
+    const vd zero = v_set(0), b = v_max(-p->z, p->above);
     const vm top = v_lt(zero, p->after);
-    n->d = larger_of(beyond, NUMBER(rounded)(lateral, m->error));
-    vm rims = are_positive(beyond.low, p->a);
+    const vpair beyond = NUMBER(larger)(opposite(m->z), m->above);
+    bounded_pairs d = {NUMBER(larger)(beyond, lateral), m->error};
+    vm rims = are_positive(p->a, b);
     if (tapered) {
         const vm beyond_end = m_or(v_lt(p->before, zero), top);
         const vm over_cap =
             m_or(are_positive(-p->z, -p->x0), are_positive(p->above, -p->x1));
-        rims = m_and_not(m_and(beyond_end, v_lt(zero, n->d.low)), over_cap);
+        const vm outside = v_lt(m->error, v_max(p->a, b));
+        rims = m_and_not(m_and(beyond_end, outside), over_cap);
     }
-    if (m_any(rims))
-        n->d = pick_distance(
-            rims,
-            NUMBER(from_rim)(pick(top, x1, x0), pick(top, m->above, m->z), m),
-            n->d);
+    return m_any(rims)
+               ? choose_pairs(rims,
+                              NUMBER(length)(pick(top, x1, x0),
+                                             pick(top, m->above, m->z), m),
+                              d)
+               : d;
 }
 
-INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
-                                   const shape_lanes *s, int tapered,
-                                   int with_part)
+INLINE bounded_pairs NUMBER(between_planes)(vnearest *n, half_plane *m,
+                                            const shape_lanes *s, int tapered,
+                                            int with_part)
 {
     const vpair rho = NUMBER(rho)(m);
     const vpair x0 = NUMBER(minus)(rho, NUMBER(datum)(s->r[0], m));
@@ -100,46 +98,43 @@ INLINE void NUMBER(between_planes)(vnearest *n, half_plane *m,
                         tapered ? v_sum_of(C, above, S * rounded(x1)) : above};
     if (with_part)
         find_feature(n, m, &p);
-    NUMBER(from_section)(n, m, &p, lateral, x0, x1, tapered);
-    /* Of a cone that is nearly a disc, line and plane can have the same `low`:
-     * the nearest point needs the value of its feature. */
-    if (with_part && tapered)
-        n->d.value =
-            pick(is_feature(n, CYLINT_FEATURE_LATERAL), lateral, n->d.value);
+    return NUMBER(from_section)(m, &p, lateral, x0, x1, tapered);
 }
 
 /* The distance from a ball about the point of the axis that is y below. */
-INLINE vdistance NUMBER(from_ball)(vpair y, vd rough_y, vpair r,
-                                   const half_plane *m, vd error)
+INLINE bounded_pairs NUMBER(from_ball)(vpair y, vd rough_y, vpair r,
+                                       const half_plane *m)
 {
-    const vpair root = NUMBER(ball)(y, rough_y, m, &error);
-    return NUMBER(rounded)(NUMBER(minus)(root, NUMBER(datum)(r, m)), error);
+    bounded_pairs d = NUMBER(ball)(y, rough_y, m);
+    d.v = NUMBER(minus)(d.v, NUMBER(datum)(r, m));
+    return d;
 }
 
 /* The distance from the segment between the centres, minus the radius. */
-INLINE void NUMBER(capsule)(vnearest *n, half_plane *m, const shape_lanes *s,
-                            int with_part)
+INLINE bounded_pairs NUMBER(capsule)(vnearest *n, half_plane *m,
+                                     const shape_lanes *s, int with_part)
 {
     const vd zero = v_set(0), z = m->rough_z, above = z - s->height.hi;
     const vm low = v_lt(z, zero), top = v_lt(zero, above);
     const vpair none = {zero, zero};
     const vpair y = pick(top, m->above, pick(low, m->z, none));
     const vd rough_y = v_select(top, above, v_select(low, z, zero));
-    n->d = NUMBER(from_ball)(y, rough_y, s->r[0], m, zero);
+    const bounded_pairs d = NUMBER(from_ball)(y, rough_y, s->r[0], m);
     if (!with_part)
-        return;
+        return d;
     const vd M = margin_of(m);
     n->certain = m_and(v_lt(M, v_abs(z)), v_lt(M, v_abs(above)));
     n->feature =
         v_select(m_or(low, top),
                  feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
                  v_set(CYLINT_FEATURE_LATERAL));
+    return d;
 }
 
 /* A ball or the cone that touches both.  Where rho is small, it is uncertain which
  * of them is nearest to a point near their common circle. */
-INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
-                               int with_part)
+INLINE bounded_pairs NUMBER(round_cone)(vnearest *n, half_plane *m,
+                                        const shape_lanes *s, int with_part)
 {
     const vd zero = v_set(0), z = m->rough_z, above = z - s->height.hi;
     vd margin;
@@ -154,33 +149,29 @@ INLINE void NUMBER(round_cone)(vnearest *n, half_plane *m, const shape_lanes *s,
     const vd near = v_set(CYLINT_AXIS_MARGIN) * m->size;
     const vm sure =
         m_or(thick, m_and(v_lt(near, v_abs(before)), v_lt(near, v_abs(after))));
-    const vd error = v_select(sure, zero, v_set(HUGE_VAL));
+    const vd unsure = v_select(sure, zero, v_set(HUGE_VAL));
+    bounded_pairs d = {{zero, zero}, zero};
     if (m_any(m_not(balls))) {
         const vpair exact_rho = NUMBER(rho)(m);
-        const vpair line = NUMBER(minus)(NUMBER(turned)(s, exact_rho, m->z),
-                                         NUMBER(datum)(s->r[0], m));
-        n->d = NUMBER(rounded)(line, m->error + error);
+        d.v = NUMBER(minus)(NUMBER(turned)(s, exact_rho, m->z),
+                            NUMBER(datum)(s->r[0], m));
+        d.e = m->error;
     }
     if (m_any(balls)) {
         const vpair r = pick(top, s->r[1], s->r[0]);
-        const vdistance d = NUMBER(from_ball)(
-            pick(top, m->above, m->z), v_select(top, above, z), r, m, error);
-        n->d = m_any(m_not(balls)) ? pick_distance(balls, d, n->d) : d;
+        const bounded_pairs ball = NUMBER(from_ball)(
+            pick(top, m->above, m->z), v_select(top, above, z), r, m);
+        d = choose_pairs(balls, ball, d);
     }
+    d.e = d.e + unsure;
     if (!with_part)
-        return;
+        return d;
     const vfoot foot = foot_of(before, after, margin);
     n->certain = m_or(foot.on, m_or(foot.before, foot.after));
     n->feature = v_select(
         balls, feature_at(top, CYLINT_FEATURE_CAP0, CYLINT_FEATURE_CAP1),
         v_set(CYLINT_FEATURE_LATERAL));
-}
-
-INLINE void NUMBER(sphere)(vnearest *n, half_plane *m, const shape_lanes *s)
-{
-    const vpair root = NUMBER(rho)(m);
-    n->d = NUMBER(rounded)(NUMBER(minus)(root, NUMBER(datum)(s->r[0], m)),
-                           m->error);
+    return d;
 }
 
 /* A capped shape of this kind, and a point that is loaded.  with_part: the feature
@@ -188,17 +179,21 @@ INLINE void NUMBER(sphere)(vnearest *n, half_plane *m, const shape_lanes *s)
 INLINE void NUMBER(nearest)(vnearest *n, half_plane *m, const shape_lanes *s,
                             int kind, int with_part)
 {
+    bounded_pairs d;
     n->certain = m_not(m_from(0));
     n->feature = v_set(CYLINT_FEATURE_LATERAL);
-    n->d = NUMBER(rounded)((vpair){v_set(0), v_set(0)}, v_set(HUGE_VAL));
-    if (kind == CYLINT_KIND_SPHERE)
-        NUMBER(sphere)(n, m, s);
-    else if (kind == CYLINT_KIND_CAPSULE)
-        NUMBER(capsule)(n, m, s, with_part);
-    else if (kind == CYLINT_KIND_RCONE)
-        NUMBER(round_cone)(n, m, s, with_part);
-    else
-        NUMBER(between_planes)(n, m, s, kind == CYLINT_KIND_CONE, with_part);
+    if (kind == CYLINT_KIND_SPHERE) {
+        d.v = NUMBER(minus)(NUMBER(rho)(m), NUMBER(datum)(s->r[0], m));
+        d.e = m->error;
+    } else if (kind == CYLINT_KIND_CAPSULE) {
+        d = NUMBER(capsule)(n, m, s, with_part);
+    } else if (kind == CYLINT_KIND_RCONE) {
+        d = NUMBER(round_cone)(n, m, s, with_part);
+    } else {
+        d = NUMBER(between_planes)(n, m, s, kind == CYLINT_KIND_CONE,
+                                   with_part);
+    }
+    n->d = NUMBER(rounded)(d.v, d.e);
 }
 
 #undef NUMBER

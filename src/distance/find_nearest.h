@@ -193,7 +193,7 @@ INLINE void nearest_to_side(vnearest *n, const half_plane *m,
         if (!cylint_is_tapered(kind))
             without_error(n, m, rho, r);
     } else if (round && has_cap) {
-        n->d = pairs_from_ball(y, 0, r, m, 0);
+        n->d = pairs_rounded(pairs_from_ball(y, 0, r, m).v, m->error);
         n->feature = CYLINT_FEATURE_CAP0 + end;
         if (rho.hi == 0)
             without_error(n, m, size_of(y), r);
@@ -203,7 +203,9 @@ INLINE void nearest_to_side(vnearest *n, const half_plane *m,
             across = vpair_sub(rho, vpair_product(s->cosine, r));
             along = vpair_add(y, vpair_product(s->sine, r));
         }
-        n->d = pairs_from_rim(pairs_trimmed(across), pairs_trimmed(along), m);
+        n->d = pairs_rounded(
+            pairs_length(pairs_trimmed(across), pairs_trimmed(along), m).v,
+            m->error);
         n->feature = CYLINT_FEATURE_RIM0 + end;
         if (!round && y.hi == 0)
             without_error(n, m, rho, r);

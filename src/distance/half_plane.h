@@ -62,21 +62,6 @@ INLINE vpair pair_of_lanes(const cylint_shape *const at[LANES], int number)
     return (vpair){of_lanes(at, number), of_lanes(at, number + CYLINT_LOW)};
 }
 
-/* The larger bounds, and value and error of the larger one; NaN where b is NaN. */
-INLINE vdistance larger_of(vdistance a, vdistance b)
-{
-    const vm is_b = v_lt(a.low, b.low);
-    return (vdistance){pick(is_b, b.value, a.value), v_max(a.low, b.low),
-                       v_max(a.high, b.high), v_select(is_b, b.error, a.error)};
-}
-
-INLINE vdistance pick_distance(vm m, vdistance a, vdistance b)
-{
-    return (vdistance){pick(m, a.value, b.value), v_select(m, a.low, b.low),
-                       v_select(m, a.high, b.high),
-                       v_select(m, a.error, b.error)};
-}
-
 /* ------------------------------------------------- features, in doubles -- */
 
 /* Where the foot certainly is: not after the start of the lateral line, between its
@@ -115,7 +100,7 @@ INLINE void find_feature(vnearest *n, const half_plane *m, const vsection *p)
     const vd M = margin_of(m);
     const vd t = p->z + p->above, a = p->a;
     const vm top = v_lt(v_set(0), t);
-    const vd b = v_select(top, p->above, -p->z);
+    const vd b = v_max(-p->z, p->above);
     const vd x = v_select(top, p->x1, p->x0);
     const vm less = v_lt(a, b);
     const vm inside = m_and(v_lt(a, -M), v_lt(b, -M));

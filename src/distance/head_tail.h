@@ -82,8 +82,8 @@ INLINE void head_tail_load(half_plane *m, const shape_lanes *s,
     m->above = head_tail_minus(m->z, head_tail_datum(s->height, m));
 }
 
-/* sqrt(a), which is nearly sqrt(rough); adds the bound on its error to *error. */
-INLINE vpair head_tail_root(vpair a, vd rough, const half_plane *m, vd *error)
+/* sqrt(a), which is nearly sqrt(rough). */
+INLINE bounded_pairs head_tail_root(vpair a, vd rough, const half_plane *m)
 {
     const vd root = v_sqrt(rough), half = v_set(0.5) / root;
     const vpair start = head_tail_split(root, m->snap);
@@ -91,16 +91,18 @@ INLINE vpair head_tail_root(vpair a, vd rough, const half_plane *m, vd *error)
         head_tail_add_square(a, opposite(start), start, root);
     const vd unit = v_set(CYLINT_HEAD_TAIL_ERROR) * m->size;
     const vd thin = m->size * half;
-    *error = *error + v_select(v_le(thin, v_set(CYLINT_HEAD_TAIL_THINNEST)),
-                               v_sum_of(unit, thin, unit), v_set(HUGE_VAL));
-    return (vpair){start.hi,
-                   v_sum_of(residual.hi + residual.lo, half, start.lo)};
+    return (bounded_pairs){
+        {start.hi, v_sum_of(residual.hi + residual.lo, half, start.lo)},
+        v_select(v_le(thin, v_set(CYLINT_HEAD_TAIL_THINNEST)),
+                 v_sum_of(unit, thin, unit), v_set(HUGE_VAL))};
 }
 
 /* The distance from the axis; of a sphere that from the centre. */
 INLINE vpair head_tail_rho(half_plane *m)
 {
-    return head_tail_root(m->square, m->rough_square, m, &m->error);
+    const bounded_pairs rho = head_tail_root(m->square, m->rough_square, m);
+    m->error = rho.e;
+    return rho.v;
 }
 
 /* rho in doubles; margin: above it the sign of a foot is right. */
@@ -113,20 +115,21 @@ INLINE vd head_tail_rough_rho(const half_plane *m, vd *margin)
 }
 
 /* sqrt(x^2 + y^2). */
-INLINE vpair head_tail_length(vpair x, vpair y, const half_plane *m, vd *error)
+INLINE bounded_pairs head_tail_length(vpair x, vpair y, const half_plane *m)
 {
     const vpair zero = {v_set(0), v_set(0)};
     const vpair square = head_tail_add_square(
         head_tail_add_square(zero, x, x, rounded(x)), y, y, rounded(y));
-    return head_tail_root(square, rounded(square), m, error);
+    bounded_pairs root = head_tail_root(square, rounded(square), m);
+    root.e = root.e + m->error;
+    return root;
 }
 
 /* The distance from a point of the axis at the height y below. */
-INLINE vpair head_tail_ball(vpair y, vd rough_y, const half_plane *m, vd *error)
+INLINE bounded_pairs head_tail_ball(vpair y, vd rough_y, const half_plane *m)
 {
     return head_tail_root(head_tail_add_square(m->square, y, y, rounded(y)),
-                          v_sum_of(rough_y, rough_y, m->rough_square), m,
-                          error);
+                          v_sum_of(rough_y, rough_y, m->rough_square), m);
 }
 
 /* cosine x - sine z. */

@@ -121,21 +121,19 @@ INLINE vd pairs_rough_rho(const half_plane *m, vd *margin)
     return m->rho.hi;
 }
 
-INLINE vpair pairs_length(vpair x, vpair y, const half_plane *m, vd *error)
+INLINE bounded_pairs pairs_length(vpair x, vpair y, const half_plane *m)
 {
-    const vpair a = vpair_square(x), b = vpair_square(y);
     vpair inverse;
-    (void)m;
-    (void)error;
-    return pairs_root(vpair_add(a, b), &inverse);
+    const vpair square = vpair_add(vpair_square(x), vpair_square(y));
+    return (bounded_pairs){pairs_root(square, &inverse), m->error};
 }
 
-INLINE vpair pairs_ball(vpair y, vd rough_y, const half_plane *m, vd *error)
+INLINE bounded_pairs pairs_ball(vpair y, vd rough_y, const half_plane *m)
 {
     (void)rough_y;
     vpair inverse;
-    *error = *error + m->error;
-    return pairs_root(vpair_add(m->square, vpair_square(y)), &inverse);
+    const vpair square = vpair_add(m->square, vpair_square(y));
+    return (bounded_pairs){pairs_root(square, &inverse), m->error};
 }
 
 INLINE vpair pairs_turned(const shape_lanes *s, vpair x, vpair z)

@@ -128,11 +128,10 @@ static void check_half_plane(const struct family_case *c, const double p[3])
     const pair true_rim = root_of_quotient(
         arena, cylint_value_at(&exactly.query, &square.t, square.a, square.b),
         square.d);
-    double error = m.error;
-    const vpair got = pairs_length(vpair_sub(got_rho, s.r[0]), m.z, &m, &error);
-    if (!(got.hi >= CYLINT_DISTANCE_LEAST)) /* is left to exact numbers */
+    const bounded_pairs got = pairs_length(vpair_sub(got_rho, s.r[0]), m.z, &m);
+    if (!(got.v.hi >= CYLINT_DISTANCE_LEAST)) /* is left to exact numbers */
         return;
-    if (!CHECK(is_below(from_pair(got, true_rim), error, &most_rim))) {
+    if (!CHECK(is_below(from_pair(got.v, true_rim), got.e, &most_rim))) {
         REPORT_POINT(c, p);
         REPORT("rim");
     }
