@@ -128,14 +128,12 @@ static int exponent_of_last_place(double x)
     return e > -1074 ? e : -1074;
 }
 
-/* Whether x <= y 2^e, for positive finite x and y.  A subnormal product would
- * be rounded. */
+/* Whether x <= y 2^e, for positive finite x and y.  The number that is scaled
+ * grows, so it is exact or infinite. */
 static int is_at_most(double x, double y, int e)
 {
-    const int of_x = cylint_any_exponent(x), of_y = cylint_any_exponent(y);
-    return of_x != of_y + e
-               ? of_x < of_y + e
-               : cylint_scaled(x, -of_x) <= cylint_scaled(y, -of_y);
+    return e < 0 ? !cylint_less(y, cylint_scaled(x, -e))
+                 : !cylint_less(cylint_scaled(y, e), x);
 }
 
 /* Whether the distance of the point is at most `ulps` units. */
