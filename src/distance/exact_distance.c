@@ -276,17 +276,20 @@ double cylint_rounded_distance(meridian *m, int feature)
 
 /* ------------------------------------ features of points on a surface --- */
 
-static int side_of(const cylint_shape *shape, const cylint_line *line,
+int cylint_side_of(const cylint_shape *shape, const double point[3],
                    int surface)
 {
     const pair origin = {0, 0};
-    return CYLINT_OF_FMA(cylint_sign_on_line)(shape, line, origin, surface);
+    cylint_line line;
+    cylint_line_at(&line, point);
+    return CYLINT_OF_FMA(cylint_sign_on_line)(shape, &line, origin, surface);
 }
 
-static int is_apex(const cylint_shape *shape, const cylint_line *line)
+static int is_apex(const cylint_shape *shape, const double point[3])
 {
+    cylint_line line;
     cylint_query q;
-    cylint_query_open(&q, shape, line);
+    cylint_open_at(&q, shape, &line, point);
     return cylint_form_sign(&q, FORM_RHO0, 0) == 0;
 }
 
@@ -294,14 +297,12 @@ int cylint_boundary_feature(const cylint_shape *shape, const double point[3])
 {
     const unsigned caps = cylint_caps_present(shape->ends);
     const int bounded = cylint_is_bounded(shape);
-    cylint_line line;
     if (cylint_is_round(shape->kind) || cylint_has_tangent(shape->kind))
         return CYLINT_NO_FEATURE;
-    cylint_line_at(&line, point);
-    const int at0 = bounded && side_of(shape, &line, 0) == 0;
-    const int at1 = bounded && !at0 && side_of(shape, &line, 1) == 0;
-    if (side_of(shape, &line, CYLINT_LATERAL_SURFACE) == 0) {
-        if (cylint_is_tapered(shape->kind) && is_apex(shape, &line))
+    const int at0 = bounded && cylint_side_of(shape, point, 0) == 0;
+    const int at1 = bounded && !at0 && cylint_side_of(shape, point, 1) == 0;
+    if (cylint_side_of(shape, point, CYLINT_LATERAL_SURFACE) == 0) {
+        if (cylint_is_tapered(shape->kind) && is_apex(shape, point))
             return CYLINT_FEATURE_APEX;
         return at0   ? CYLINT_FEATURE_RIM0
                : at1 ? CYLINT_FEATURE_RIM1

@@ -14,6 +14,7 @@
 #ifndef CYLINT_FIND_NEAREST_H
 #define CYLINT_FIND_NEAREST_H
 
+#include "nearest.h"
 #include "pair_lanes.h"
 
 /* The numbers of an angle cone in the lengths of the world: its local coordinates
@@ -82,22 +83,6 @@ static int sign_within(pair x, double error)
                                         : CYLINT_SIGN_UNDECIDED;
 }
 
-/* Whether x . y is certainly 0: no operation rounds, as with data of few digits. */
-static int is_exactly_across(const pair x[3], const pair y[3])
-{
-    pair sum = {0, 0};
-    double lost = 0;
-    EACH(i, 3) {
-        const pair p = two_prod(x[i].hi, y[i].hi);
-        const int is_zero = x[i].hi == 0 || y[i].hi == 0;
-        sum = two_sum(sum.hi, p.hi);
-        lost += fabs(sum.lo) + fabs(p.lo) + fabs(x[i].lo) + fabs(y[i].lo);
-        if (!is_zero && !(fabs(p.hi) > 0x1p-900)) /* p.lo can underflow */
-            return 0;
-    }
-    return sum.hi == 0 && lost == 0;
-}
-
 /* 1 where the point's foot on the lateral line is beyond the end of it, 0 where it
  * is that end, -1 before it: at the top the sign of cosine z + sine across, at the
  * base the opposite, with z and `across` from the rim or from the centre of a ball.
@@ -116,16 +101,16 @@ ASIDE int sign_of_foot(const half_plane *m, const shape_lanes *s,
         return 0;
     if (error > 0 && (!end || cylint_has_end_points(shape->kind))) {
         double size = 0;
-        pair p[3], D[3], w[3];
+        pair p[3];
         EACH(i, 3) {
-            D[i] = two_diff(point[i], center[i]);
-            w[i] = two_diff(s->top[i], s->base[i]);
-            p[i] = vpair_product(D[i], s->axis[i]);
-            size += fabs(D[i].hi);
+            const pair D = two_diff(point[i], center[i]);
+            p[i] = vpair_product(D, s->axis[i]);
+            size += fabs(D.hi);
         }
         z = pairs_sum3(p);
         error = u * size + least;
-        if (cylint_has_end_points(shape->kind) && is_exactly_across(D, w)) {
+        if (fabs(rounded(z)) <= error &&
+            cylint_side_of(shape, point, end) == 0) {
             z = (pair){0, 0};
             error = 0;
         }

@@ -47,6 +47,12 @@ CYLINT_INLINE void cylint_write_feature(const cylint_shape *s, int feature,
     answer->part = cylint_feature_part(answer->feature);
 }
 
+/* The sign of the point's distance from the plane of cap 0 or 1, or with
+ * CYLINT_LATERAL_SURFACE (signs/origin.h) of the lateral quadric, which is
+ * negative within. */
+int cylint_side_of(const cylint_shape *shape, const double point[3],
+                   int surface);
+
 /* Of a cylinder, cone or elliptic shape and a point for which cylint_contains() is
  * 0, by exact signs; CYLINT_NO_FEATURE of other kinds, and where `ends` leaves out
  * that part. */
