@@ -69,9 +69,15 @@ $(if $(EMBREE),$(if $(shell $(CC) $(CPPFLAGS) $(EMBREE_CFLAGS) -include $(rtcore
   $(error EMBREE=$(EMBREE): the compiler does not find $(rtcore); EMBREE_CFLAGS can name its folder)))
 endif
 endif
-$(BUILD)/config.mk: $(if $(findstring n,$(options)),,$(patsubst deps,deps-debian,$(filter deps deps-cross,$(MAKECMDGOALS)))) FORCE
+packages := $(if $(findstring n,$(options)),,$(patsubst deps,deps-debian,$(filter deps deps-cross,$(MAKECMDGOALS))))
+# While apt-get runs, `deps check` compiles what depends on no package.
+beside_apt := $(if $(packages),$(if $(MAKE_RESTARTS),,$(filter check,$(MAKECMDGOALS))))
+$(BUILD)/config.mk: $(packages) $(beside_apt:check=without-packages) FORCE
 	@CC=$(call quote,$(CC)) CXX=$(call quote,$(CXX)) CFLAGS=$(call quote,$(CFLAGS)) \
 	  CXXFLAGS=$(call quote,$(CXXFLAGS)) sh tools/config.sh $@
+
+without-packages:
+	-@! command -v $(CC) >/dev/null || $(MAKE) --no-print-directory $(scene_library)
 
 # ---------------------------------------------------------------- flags --
 warnings := -Wall -Wextra -Wpedantic -Wconversion
@@ -305,7 +311,7 @@ clean: ## remove $(BUILD)
 help: ## print this list
 	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1	\2/p' Makefile tests/tests.mk tools/bench/bench.mk tools/package/package.mk
 
-.PHONY: all demo install install-folders uninstall clean help FORCE
+.PHONY: all without-packages demo install install-folders uninstall clean help FORCE
 .SECONDARY:
 .DELETE_ON_ERROR:
 .SUFFIXES:
