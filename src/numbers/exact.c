@@ -90,16 +90,18 @@ static exact combine(cylint_arena *arena, exact x, exact y, int subtract)
     const int top = cylint_top_of(x) > cylint_top_of(y) ? cylint_top_of(x)
                                                         : cylint_top_of(y);
     const int n = top - low;
-    uint32_t *limb = take(arena, n + 1);
-    uint64_t carry = (uint64_t)subtract;
+    const uint64_t none = (uint64_t)subtract; /* a carry that changes no limb */
     const uint32_t flip = subtract ? 0xffffffffu : 0;
-    for (int i = 0; i < n; i++) {
-        carry += limb_at(x, low + i);
-        carry += limb_at(y, low + i) ^ flip;
-        limb[i] = (uint32_t)carry;
+    uint32_t *limb = take(arena, n + 1), *at = limb + (y.exponent - low);
+    uint64_t carry = none;
+    for (int i = 0; i <= n; i++)
+        limb[i] = limb_at(x, low + i);
+    for (int i = 0; i < y.n || carry != none; i++) {
+        carry += at[i];
+        carry += (i < y.n ? y.limb[i] : 0) ^ flip;
+        at[i] = (uint32_t)carry;
         carry >>= 32;
     }
-    limb[n] = subtract ? 0 : (uint32_t)carry;
     return trimmed(arena, limb, n + 1, low, x.sign);
 }
 
@@ -117,25 +119,56 @@ exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
     return larger > 0 ? combine(arena, x, y, 1) : combine(arena, y, x, 1);
 }
 
-/* sum += (x[0] + x[1] 2^32) y, where the limbs of sum above those of y are 0.  The
- * carries of the two rows do not wait for each other. */
-static void add_products(uint32_t *sum, const uint32_t x[2], const uint32_t *y,
-                         int n)
+/* a b + *carry + c, of which *carry becomes the higher half. */
+static uint64_t multiply_add(uint64_t a, uint64_t b, uint64_t c,
+                             uint64_t *carry)
 {
-    uint64_t carry0 = 0, carry1 = 0;
-    uint32_t before = 0;
-    for (int i = 0; i < n; i++) {
-        carry0 += (uint64_t)x[0] * y[i] + sum[i];
-        carry1 += (uint64_t)x[1] * before + (uint32_t)carry0;
-        before = y[i];
-        sum[i] = (uint32_t)carry1;
-        carry0 >>= 32;
-        carry1 >>= 32;
+#ifdef __SIZEOF_INT128__
+    __extension__ typedef unsigned __int128 product;
+    const product sum = (product)a * b + c + *carry;
+    *carry = (uint64_t)(sum >> 64);
+    return (uint64_t)sum;
+#else
+    const uint64_t a0 = (uint32_t)a, a1 = a >> 32, b0 = (uint32_t)b,
+                   b1 = b >> 32;
+    const uint64_t low = a0 * b0 + (uint32_t)c + (uint32_t)*carry;
+    const uint64_t cross = a1 * b0 + (c >> 32) + (low >> 32);
+    const uint64_t other = a0 * b1 + (*carry >> 32) + (uint32_t)cross;
+    *carry = a1 * b1 + (cross >> 32) + (other >> 32);
+    return other << 32 | (uint32_t)low;
+#endif
+}
+
+/* Two limbs; compilers make one load of them where they can. */
+static uint64_t two_at(const uint32_t *limb)
+{
+    return limb[0] | (uint64_t)limb[1] << 32;
+}
+
+static void put_two(uint32_t *limb, uint64_t two)
+{
+    const uint32_t halves[2] = {(uint32_t)two, (uint32_t)(two >> 32)};
+    memcpy(limb, halves, sizeof halves);
+}
+
+/* sum += x y, where the limbs of sum above those of y are 0. */
+static void add_products(uint32_t *sum, uint64_t x, const uint32_t *y, int n)
+{
+    uint64_t carry = 0;
+    int i = 0;
+    for (; i + 1 < n; i += 2) {
+        const uint64_t two =
+            multiply_add(x, two_at(y + i), two_at(sum + i), &carry);
+        put_two(sum + i, two);
     }
-    carry1 += (uint64_t)x[1] * before + carry0;
-    sum[n] = (uint32_t)carry1;
-    if (carry1 >> 32) /* never if x[1] is 0 */
-        sum[n + 1] = (uint32_t)(carry1 >> 32);
+    if (i < n) {
+        const uint64_t two = multiply_add(x, y[i], sum[i], &carry);
+        sum[i] = (uint32_t)two;
+        carry = carry << 32 | two >> 32;
+    }
+    sum[n] = (uint32_t)carry;
+    if (carry >> 32) /* never if x is one limb */
+        sum[n + 1] = (uint32_t)(carry >> 32);
 }
 
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
@@ -146,8 +179,8 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
     uint32_t *limb = take(arena, n);
     memset(limb, 0, (size_t)n * sizeof *limb);
     for (int i = 0; i < x.n; i += 2) {
-        const uint32_t two[2] = {x.limb[i], i + 1 < x.n ? x.limb[i + 1] : 0};
-        if (two[0] | two[1]) /* most limbs of a sum of distant sizes are 0 */
+        const uint64_t two = i + 1 < x.n ? two_at(x.limb + i) : x.limb[i];
+        if (two) /* most limbs of a sum of distant sizes are 0 */
             add_products(limb + i, two, y.limb, y.n);
     }
     return trimmed(arena, limb, n, x.exponent + y.exponent, x.sign * y.sign);
