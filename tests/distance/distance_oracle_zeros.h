@@ -25,12 +25,15 @@ static int compare(real x, real y)
     return mpfr_cmp(x->x, y->x);
 }
 
+/* Writes the slope, too, if it is not NULL. */
 static real value_of(const real *p, int degree, real at, real *slope)
 {
     real value = p[degree];
-    *slope = real_of(0);
+    if (slope)
+        *slope = real_of(0);
     for (int i = degree - 1; i >= 0; i--) {
-        *slope = plus(times(*slope, at), value);
+        if (slope)
+            *slope = plus(times(*slope, at), value);
         value = plus(times(value, at), p[i]);
     }
     return value;
@@ -74,14 +77,13 @@ static real copy(real x)
     return to;
 }
 
-/* Improves x, a zero between low and high, at which the signs differ, by Newton's
- * iteration with bisection, until a step is 2^-digits of x.  The error of the zero
- * is that of the last step. */
-static real iterate(const real *p, int degree, real low, real high, real x,
-                    long digits)
+/* Improves x, a zero between low and high, at which the signs differ (at high it is
+ * `sign`), by Newton's iteration with bisection, until a step is 2^-digits of x.  The
+ * error of the zero is that of the last step. */
+static real iterate(const real *p, int degree, real low, real high, int sign,
+                    real x, long digits)
 {
     real slope, step, next, last = minus(high, low);
-    const int sign = sgn(value_of(p, degree, high, &slope));
     if (compare(x, low) <= 0 || compare(x, high) >= 0)
         x = middle(low, high);
     low = copy(low);
@@ -112,14 +114,15 @@ static real iterate(const real *p, int degree, real low, real high, real x,
 
 /* The zero between low and high: first with few bits, then with twice as many each
  * time, as Newton's iteration doubles the number of digits. */
-static real zero_between(const real *p, int degree, real low, real high)
+static real zero_between(const real *p, int degree, real low, real high,
+                         int sign)
 {
     const int mark = reals.used;
     const long bits = reals.bits;
     real x = low;
     for (long now = FIRST_BITS; now < 2 * bits; now *= 2) {
         reals.bits = now < bits ? now : bits;
-        x = iterate(p, degree, low, high, x, reals.bits / 2);
+        x = iterate(p, degree, low, high, sign, x, reals.bits / 2);
     }
     reals.bits = bits;
     return real_keep(mark, x);
@@ -129,8 +132,8 @@ static real zero_between(const real *p, int degree, real low, real high)
  * returns their number. */
 static int zeros_within(const real *p, int degree, real bound, real *zero)
 {
-    real derivative[MOST_DEGREE], turn[MOST_ZEROS], slope, low = negated(bound);
-    int n = 0;
+    real derivative[MOST_DEGREE], turn[MOST_ZEROS], low = negated(bound);
+    int n = 0, before = sgn(value_of(p, degree, low, NULL));
     if (degree == 0)
         return 0;
     for (int i = 0; i < degree; i++)
@@ -140,15 +143,15 @@ static int zeros_within(const real *p, int degree, real bound, real *zero)
         const real high = i < turns ? turn[i] : bound;
         if (compare(high, low) <= 0)
             continue;
-        const int before = sgn(value_of(p, degree, low, &slope));
-        const int after = sgn(value_of(p, degree, high, &slope));
+        const int after = sgn(value_of(p, degree, high, NULL));
         if (before == 0)
             zero[n++] = low;
         else if (before * after < 0)
-            zero[n++] = zero_between(p, degree, low, high);
+            zero[n++] = zero_between(p, degree, low, high, after);
         low = high;
+        before = after;
     }
-    if (sgn(value_of(p, degree, low, &slope)) == 0)
+    if (before == 0)
         zero[n++] = low;
     return n;
 }
