@@ -55,33 +55,17 @@ static int answers_differ(const cylint_answer *x, const cylint_answer *y,
 }
 #endif
 
-/* Writes the wanted members beside t of a hit, from t, part and side of `partial`,
- * as far as pairs are certain; returns the others. */
+/* Writes the wanted members beside t of a hit, from t, part and side of `known`, as
+ * far as pairs are certain; returns the others. */
 static unsigned describe_in_pairs(const cylint_shape *shape,
                                   const cylint_line *line, unsigned want,
-                                  const cylint_hit *partial, cylint_hit *hit)
+                                  const cylint_hit *known, cylint_hit *hit)
 {
     const unsigned undecided = want & CYLINT_WANT_BESIDE_T;
     /* the root of a touch is double, or the apex */
-    return undecided && partial->side != CYLINT_SIDE_BOTH
-               ? cylint_one_used->describe(shape, line, undecided, partial, hit)
+    return undecided && known->side != CYLINT_SIDE_BOTH
+               ? cylint_one_used->describe(shape, line, undecided, known, hit)
                : undecided;
-}
-
-/* Writes the undecided ones of the wanted members. */
-static void describe_exactly(cylint_query *q, const cylint_stop *at,
-                             unsigned want, unsigned undecided, cylint_hit *hit)
-{
-    if (undecided)
-        cylint_describe_hit(q, at, undecided, hit);
-#if CYLINT_IS_PARANOID
-    cylint_hit exact;
-    want &= CYLINT_WANT_BESIDE_T;
-    cylint_describe_hit(q, at, want, &exact);
-    cylint_contradiction(hits_differ(hit, &exact, want));
-#else
-    (void)want;
-#endif
 }
 
 /* Opens the query of the surface that a hit lies on: of a ball of a capsule or
@@ -130,24 +114,20 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
         cylint_hit *hit = &answer->hit[answer->n++];
         cylint_copy_hit(hit, &partial,
                         want & (CYLINT_WANT_T | CYLINT_WANT_PART));
-        describe_exactly(&q, &v.at[i], want,
-                         describe_in_pairs(shape, line, want, &partial, hit),
-                         hit);
+        cylint_describe_hit(&q, &v.at[i],
+                            describe_in_pairs(shape, line, want, &partial, hit),
+                            hit);
         if (want & CYLINT_WANT_NEAREST)
             break;
     }
     return answer->n;
 }
 
-/* Writes the wanted members of a hit that the filter decided. */
+/* Writes the undecided members of a hit that the filter decided. */
 ASIDE void complete_hit(const cylint_shape *shape, const cylint_line *line,
-                        const cylint_hit *partial, unsigned want,
+                        const cylint_hit *partial, unsigned undecided,
                         cylint_hit *hit)
 {
-    const unsigned undecided =
-        describe_in_pairs(shape, line, want, partial, hit);
-    if (!undecided)
-        return;
     const int on_plane =
         partial->part != CYLINT_PART_LATERAL && !cylint_is_round(shape->kind);
     const cylint_root root =
@@ -160,7 +140,7 @@ ASIDE void complete_hit(const cylint_shape *shape, const cylint_line *line,
     cylint_shape ball;
     cylint_query_open(&q, shape, line);
     open_part(&q, shape, line, partial->part, &ball);
-    describe_exactly(&q, &at, want, undecided, hit);
+    cylint_describe_hit(&q, &at, undecided, hit);
 }
 
 /* Writes the hits that the filter decided, with their undecided members. */
@@ -182,7 +162,7 @@ ASIDE int answer_all(const cylint_shape *shape, const cylint_line *line,
 {
     cylint_answer partial;
     cylint_question question;
-    question.described = answer;
+    question.described = answer->hit;
     const int n =
         by_filter(shape, line, want | CYLINT_WANT_T | CYLINT_WANT_PART,
                   &partial, &question);

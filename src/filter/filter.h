@@ -58,7 +58,7 @@ typedef struct {
     double value[2], tail[2], error[2];
     /* If members beside t are wanted: their hits, and of each hit the members
      * that are not certain. */
-    cylint_answer *described;
+    cylint_hit *described;
     unsigned undecided[2];
 } cylint_question;
 
@@ -74,11 +74,11 @@ typedef int cylint_kernel_one(const cylint_shape *shape,
 typedef int cylint_kernel_point(const cylint_shape *shape,
                                 const double point[3]);
 
-/* Writes the wanted members beside t of a hit, from t and part of `partial`, and
+/* Writes the wanted members beside t of a hit, from t and part of `known`, and
  * returns those of them that are not certain. */
 typedef unsigned cylint_kernel_hit(const cylint_shape *shape,
                                    const cylint_line *line, unsigned want,
-                                   const cylint_hit *partial, cylint_hit *hit);
+                                   const cylint_hit *known, cylint_hit *hit);
 
 typedef struct {
     cylint_kernel_one *by_solid[CYLINT_SOLIDS];

@@ -164,33 +164,12 @@ typedef struct {
 #define TRIMMED(x) v_two_sum((x).hi, (x).lo)
 #include "local_forms_template.h"
 
-/* Sizes of three coordinates that are not local. */
-#ifdef CYLINT_NARROW
-typedef vq world_sizes;
-
-INLINE vd world_size(world_sizes x, int i)
-{
-    return q_low(i == 0 ? q_firsts(x) : i == 1 ? q_seconds(x) : q_thirds(x));
-}
-#else
-typedef struct {
-    vd of[3];
-} world_sizes;
-
-INLINE vd world_size(world_sizes x, int i)
-{
-    return x.of[i];
-}
-#endif
-
 /* p, v: x and y together.  z: of the ends.  rho, growth: the radius of the lateral
- * surface at t = 0 and its growth with t.  error: of the matrix.  size: of each
- * coordinate of the origin from the base, not local. */
+ * surface at t = 0 and its growth with t.  error: of the matrix. */
 typedef struct {
     vqpair p, v;
     vpair z[ENDS], w, rho, growth;
     vd error;
-    world_sizes size;
 } pair_line;
 
 INLINE vpair vpair_set(double hi, double lo)
@@ -299,6 +278,12 @@ INLINE vm fact_of(const source *from, int fact)
 INLINE vpair pair_at(const source *from, int i)
 {
     return (vpair){number_at(from, i), number_at(from, i + CYLINT_LOW)};
+}
+
+/* Coordinate i of the line's origin from the base, not local. */
+INLINE vd from_base_at(const source *from, int i)
+{
+    return origin_at(from, i) - number_at(from, CYLINT_AT_BASE + i);
 }
 
 /* Moves z from an end, whose radius is r, to the plane in which the lateral surface

@@ -81,9 +81,10 @@ typedef struct {
     vd error, unit, entry_size[3][3];
 } local_hit;
 
-/* The bound on a coordinate: the error of the matrix and of pairs, and what that of
- * the root adds.  size: in units of 1 / CYLINT_MEMBER_SCALE, so that no product of
- * a subnormal number with an entry or the root's error is 0. */
+/* The bound on a coordinate: the error of the matrix, which is relative to the
+ * hit's coordinates, that of pairs, relative to their terms, and what that of the
+ * root adds.  size: in units of 1 / CYLINT_MEMBER_SCALE, so that no product of a
+ * subnormal number with an entry or the root's error is 0. */
 INLINE vd coordinate_error(const local_hit *h, const vd size[3], int row, vd v,
                            int solid)
 {
@@ -102,15 +103,19 @@ INLINE local_hit hit_at(const source *from, const pair_line *in,
                         const hit_root *r, int axial, int solid)
 {
     const vpair vx = pairs_of_two(in->v, 0), vy = pairs_of_two(in->v, 1);
+    const vd scale = v_set(CYLINT_MEMBER_SCALE);
+    const vd most_t =
+        scale * (v_abs(r->t) + v_set(1 / CYLINT_MEMBER_FAR) * r->error);
     vd size[3];
     local_hit h;
     h.unit = v_set(CYLINT_MEMBER_COORDINATE / CYLINT_MEMBER_UNIT) * in->error;
     h.error = v_set(1 / CYLINT_MEMBER_UNIT) * r->error;
-    EACH(j, 3)
-        size[j] =
-            v_sum_of((v_abs(r->t) + r->error) * v_set(CYLINT_MEMBER_SCALE),
-                     v_abs(direction_at(from, j).hi),
-                     world_size(in->size, j) * v_set(CYLINT_MEMBER_SCALE));
+    EACH(j, 3) {
+        const vd o = from_base_at(from, j), d = direction_at(from, j).hi;
+        const vd terms = v_sum_of(most_t, v_abs(d), scale * v_abs(o));
+        size[j] = v_sum_of(scale, v_abs(v_sum_of(r->t, d, o)),
+                           v_set(CYLINT_MEMBER_FAR) * terms);
+    }
     set_entry_sizes(h.entry_size, from);
     h.x = (bounded_pairs){at_root(pairs_of_two(in->p, 0), vx, r),
                           coordinate_error(&h, size, 0, vx.hi, solid)};
@@ -222,6 +227,15 @@ INLINE vm on_ball(const hit_root *r, int solid)
     return solid == CYLINT_SOLID_SPHERE ? m_if_all(1) : r->on_end;
 }
 
+/* The radius of the ball of an end. */
+INLINE vd ball_radius(const hit_root *r, const source *from, int solid)
+{
+    const vd r0 = number_at(from, CYLINT_AT_R0);
+    return cylint_solid_is_tapered(solid)
+               ? v_select(r->top, number_at(from, CYLINT_AT_R1), r0)
+               : r0;
+}
+
 /* x, y and z of the normal x X + y Y + z Z on the lateral surface or on a ball, of
  * a shape whose rows have length 1.  The bounds are of first order in the relative
  * error of rho, `relative`: each is at least this part of its term, so no sum of
@@ -239,9 +253,7 @@ INLINE void unit_normal(bounded_pairs n[3], const local_hit *h,
     }
     if (cylint_solid_is_round(solid)) {
         const vm ball_lanes = on_ball(r, solid);
-        const vd r0 = number_at(from, CYLINT_AT_R0);
-        const vd r1 = v_if(tapered, number_at(from, CYLINT_AT_R1), r0);
-        const bounded_pairs ball = {{v_select(r->top, r1, r0), v_set(0)},
+        const bounded_pairs ball = {{ball_radius(r, from, solid), v_set(0)},
                                     v_set(0)};
         divisor = choose_pairs(ball_lanes, ball, divisor);
         cosine = pick(ball_lanes, one, cosine);
@@ -388,7 +400,7 @@ INLINE bounded_pairs angle_of(const local_hit *h, const source *from)
 
 /* Hits on an axis that runs along a coordinate: every term of x and y is 0. */
 INLINE vm lies_on_axis(const local_hit *h, const source *from,
-                       const pair_line *in, const hit_root *r)
+                       const hit_root *r)
 {
     const vd none = v_set(0);
     const vm stays = v_eq(v_abs(r->t) + r->error, none);
@@ -396,7 +408,8 @@ INLINE vm lies_on_axis(const local_hit *h, const source *from,
     EACH(j, 3) {
         const vd d = v_abs(direction_at(from, j).hi);
         const vd entries = h->entry_size[0][j] + h->entry_size[1][j];
-        const vd sizes = v_select(stays, none, d) + world_size(in->size, j);
+        const vd sizes =
+            v_select(stays, none, d) + v_abs(from_base_at(from, j));
         on_axis = m_and(on_axis, m_or(v_eq(entries, none), v_eq(sizes, none)));
     }
     return on_axis;
@@ -404,13 +417,13 @@ INLINE vm lies_on_axis(const local_hit *h, const source *from,
 
 /* phi is 0 on the axis. */
 INLINE vm phi_of(vd *to, const local_hit *h, const source *from,
-                 const pair_line *in, const hit_root *r)
+                 const hit_root *r)
 {
     vm certain = rounds(angle_of(h, from), CYLINT_MEMBER_TIE, to);
     *to =
         v_select(v_lt(*to, v_set(1)), *to, v_set(1 - CYLINT_NEAREST_ROUNDING));
     if (m_any(m_not(certain))) {
-        const vm on_axis = m_and_not(lies_on_axis(h, from, in, r), certain);
+        const vm on_axis = m_and_not(lies_on_axis(h, from, r), certain);
         *to = v_select(on_axis, v_set(0), *to);
         certain = m_or(certain, on_axis);
     }
@@ -469,8 +482,7 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
         v_store(to->number[CYLINT_HIT_Z], nearest);
     }
     if (local & CYLINT_WANT_PHI) {
-        certain |=
-            of_member(CYLINT_MEMBER_PHI, phi_of(&nearest, &h, from, in, r));
+        certain |= of_member(CYLINT_MEMBER_PHI, phi_of(&nearest, &h, from, r));
         v_store(to->number[CYLINT_HIT_PHI], nearest);
     }
     to->certain = certain;

@@ -177,12 +177,6 @@ INLINE vqpair transformed(const cylint_shape *s, const vq hi[3], const vq lo[3])
                                   q_add(two.lo, all.lo))};
 }
 
-/* The line's origin from the base. */
-INLINE vqpair origin_from_base(const source *from)
-{
-    return q_two_diff(q_load(from->line->o), q_load(cylint_base(from->shape)));
-}
-
 /* The matrix times a vector in lanes 0, 1 and 2. */
 INLINE vqpair local_in_pairs(const cylint_shape *s, vqpair x)
 {
@@ -214,11 +208,11 @@ INLINE vpair along_of(vqpair x)
     return (vpair){v_firsts(hi, hi), v_firsts(lo, lo)};
 }
 
-/* A line with the origin x from the base, but for its sizes.  moves: 1 computes v
- * and w; 0 sets them to 0. */
-INLINE void load_pairs_from(pair_line *to, vqpair x, const source *from,
-                            int moves, int solid)
+/* moves: 1 computes v and w; 0 sets them to 0. */
+INLINE void load_pairs(pair_line *to, const source *from, int moves, int solid)
 {
+    const vqpair x =
+        q_two_diff(q_load(from->line->o), q_load(cylint_base(from->shape)));
     const vqpair p =
         solid == CYLINT_SOLID_SPHERE ? x : local_in_pairs(from->shape, x);
     vqpair v = {q_set(0), q_set(0)};
@@ -231,37 +225,12 @@ INLINE void load_pairs_from(pair_line *to, vqpair x, const source *from,
     set_heights(to, along_of(p), from, solid);
 }
 
-INLINE void load_pairs(pair_line *to, const source *from, int moves, int solid)
-{
-    const vqpair x = origin_from_base(from);
-    load_pairs_from(to, x, from, moves, solid);
-    to->size = q_abs(x.hi);
-}
-
 /* One function for all solids. */
 ASIDE void load_any_pairs(pair_line *to, const cylint_shape *shape,
                           const cylint_line *line, int moves)
 {
     const source from = {shape, line};
     load_pairs(to, &from, moves, cylint_prepared(shape));
-}
-
-/* The line with its origin moved to o + (t + tail) d.  Its sizes count its error,
- * which is relative to terms that cancel, in multiples of that of the matrix. */
-ASIDE void load_moved_pairs(pair_line *to, const source *from, double t,
-                            double tail, int solid)
-{
-    const vq T = q_set(t), d = q_load(from->line->d);
-    const vqpair o = origin_from_base(from);
-    const vq step = q_mul(T, d);
-    const vq low =
-        q_sum_of(q_set(tail), d,
-                 q_sum_of(T, q_load(from->line->d_lo), q_product_error(T, d)));
-    const vqpair sum = q_two_sum(o.hi, step);
-    const vqpair x = q_two_sum(sum.hi, q_add(sum.lo, q_add(o.lo, low)));
-    load_pairs_from(to, x, from, 1, solid);
-    to->size = q_sum_of(q_set(CYLINT_MEMBER_MOVED),
-                        q_add(q_abs(o.hi), q_abs(step)), q_abs(x.hi));
 }
 
 #endif

@@ -22,8 +22,11 @@ static int no_solid(const cylint_shape *shape, const cylint_line *line,
                     cylint_question *q)
 {
     const int n = cylint_intersect_plane(shape, line, q->want, q->answer);
+    const unsigned members = q->want & CYLINT_WANT_BESIDE_T;
     q->next = CYLINT_REFINE_NONE;
-    q->undecided[0] = q->want & CYLINT_WANT_BESIDE_T;
+    if (n == 1 && members)
+        q->undecided[0] =
+            cylint_plane_members(shape, line, members, q->described);
     return n;
 }
 
@@ -234,12 +237,12 @@ static int refine(cylint_question *question)
     return CYLINT_UNDECIDED;
 }
 
-static unsigned describe_again(const cylint_shape *shape,
+static unsigned describe_known(const cylint_shape *shape,
                                const cylint_line *line, unsigned want,
-                               const cylint_hit *partial, cylint_hit *hit)
+                               const cylint_hit *known, cylint_hit *hit)
 {
-    (void)partial;
-    return cylint_plane_members(shape, line, want, hit);
+    (void)shape, (void)line, (void)known, (void)hit;
+    return want;
 }
 
 #define ONE(name, solid) [solid] = no_solid,
@@ -251,4 +254,4 @@ const cylint_one_kernels CYLINT_ONE = {
     {[CYLINT_SOLID_NONE] = no_solid, CYLINT_EACH_SOLID(ONE)},
     refine,
     {[CYLINT_SOLID_NONE] = cylint_side_of_plane, CYLINT_EACH_SOLID(SIDE)},
-    describe_again};
+    describe_known};

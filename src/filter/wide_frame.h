@@ -171,7 +171,6 @@ INLINE void load_pairs(pair_line *to, const source *from, int solid)
     EACH(i, 3) {
         x[i] = v_two_sum(from->line->o[i], -f->of[CYLINT_AT_BASE + i]);
         d[i] = direction_at(from, i);
-        to->size.of[i] = v_abs(x[i].hi);
     }
     EACH_FUSED(i, 3) {
         p[i] = ball ? x[i] : row_in_pairs(f, i, x, 0);

@@ -293,39 +293,37 @@
 
 /*
  * Members of a hit (filter/members.h).  CYLINT_MEMBER_COORDINATE: the error of a
- * local coordinate of the hit, in multiples of cylint_frame_error() and of the sum
- * of the sizes of its terms; also that of a product or quotient of pairs, relative
- * to it.  CYLINT_MEMBER_PLACE: of a coordinate of the point, relative to
- * |o| + |t d|.  ROW, STEP, PRODUCT, QUOTIENT, PLACE_ROUNDING and, of a moved
- * origin, MOVED_ROUNDING are what roundings add to them; each is proved.
+ * local coordinate of the hit, in multiples of cylint_frame_error() and of the
+ * sizes of the hit's coordinates and CYLINT_MEMBER_FAR of those of their terms;
+ * also that of a product or quotient of pairs, relative to it.
+ * CYLINT_MEMBER_PLACE: of a coordinate of the point, relative to |o| + |t d|.  ROW,
+ * STEP, PRODUCT, QUOTIENT and PLACE_ROUNDING are what roundings add to them; each
+ * is proved.
  * CYLINT_MEMBER_UNIT: bounds are counted in it.
  * CYLINT_MEMBER_LEAST: no smaller number but 0 is certain.
  * CYLINT_MEMBER_TIE: components of the normal and phi that are nearer to the middle
  * of two doubles, relative to them, are not certain.
  * CYLINT_MEMBER_SCALE: sizes of terms are multiplied by it, so that they do not
  * underflow.
- * CYLINT_MEMBER_MOVED: the part of the terms of a moved origin that counts as its
- * size, so that bounds for the matrix cover their roundings.
  * CYLINT_MEMBER_NEAR: no bound on the error of a root from its nearest double is
  * less: the products of less with subnormal numbers can be 0.
  * CYLINT_MEMBER_LIKELY: members are likely to be certain where the error of the hit
  * is at most this part of the radius; only time depends on it.
  */
-#define CYLINT_MEMBER_COORDINATE 16
+#define CYLINT_MEMBER_COORDINATE 2
 #define CYLINT_MEMBER_ROW 0xd.03p-104
 #define CYLINT_MEMBER_STEP 0x1c.2bp-104
 #define CYLINT_MEMBER_PRODUCT 0x2c.47p-104
 #define CYLINT_MEMBER_QUOTIENT 0x9.83p-104
 #define CYLINT_MEMBER_PLACE 0x1p-101
 #define CYLINT_MEMBER_PLACE_ROUNDING 0x4.01p-104
-#define CYLINT_MEMBER_MOVED_ROUNDING 0x5.81p-104
 #define CYLINT_MEMBER_UNIT 0x1p-392
+#define CYLINT_MEMBER_FAR 0x1p-3
 #define CYLINT_MEMBER_SCALE 0x1p300
 #define CYLINT_MEMBER_LEAST 0x1p-300
 #define CYLINT_MEMBER_TIE 0x1p-90
-#define CYLINT_MEMBER_MOVED 0x1p-6
 #define CYLINT_MEMBER_NEAR 0x1p-200
-#define CYLINT_MEMBER_LIKELY 0x1p-54
+#define CYLINT_MEMBER_LIKELY 0x1p-64
 
 /*
  * Half-spaces (filter/plane.h): the error of a scalar product of a vector of pairs

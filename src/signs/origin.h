@@ -19,8 +19,4 @@ int cylint_sign_on_line_plain(const cylint_shape *shape,
 int cylint_sign_on_line_fma(const cylint_shape *shape, const cylint_line *line,
                             pair t, int surface);
 
-/* Writes the doubles nearest to o + t d, and returns 1 if pairs computed them
- * without error. */
-int cylint_exact_point(const cylint_line *line, pair t, double point[3]);
-
 #endif

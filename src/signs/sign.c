@@ -6,7 +6,6 @@
  * (error_bounds.h), or when pairs have no error.  Comparisons are written so
  * that a NaN falls to the next arithmetic.
  */
-#include "origin.h"
 #include "sign.h"
 
 #ifdef CYLINT_COUNT_STAGES
@@ -159,20 +158,4 @@ int cylint_form_sign(cylint_query *q, cylint_form f, int end)
     if (sign == CYLINT_SIGN_UNDECIDED && q->pairs)
         sign = sign_in_pairs(q, f, end);
     return cylint_exact_sign(q, f, end, sign);
-}
-
-/* -------------------------------------------------------- points ------- */
-
-int cylint_exact_point(const cylint_line *line, pair t, double point[3])
-{
-    double error = 0;
-    for (int i = 0; i < 3; i++) {
-        const bounded_pair o = bounded_pair_of(line->o[i], 0),
-                           d = bounded_pair_of(line->d[i], line->d_lo[i]),
-                           step = bounded_pair_mul((bounded_pair){t, 0}, d),
-                           x = bounded_pair_add(o, step);
-        point[i] = cylint_positive_zero(x.v.hi);
-        error += x.error;
-    }
-    return error == 0;
 }
