@@ -142,6 +142,7 @@ TEST(tangents_are_positive_and_finite)
     CHECK(cylint_tangent_cone(&s, origin, axis_z, HUGE_VAL, 0) ==
           CYLINT_ENONFINITE);
     CHECK(cylint_tangent_cone(&s, origin, axis_z, DBL_MAX, 0) == CYLINT_OK);
+    CHECK(cylint_angle_cone(&s, origin, axis_z, DBL_MAX, 0) == CYLINT_EANGLE);
     /* with further faults, the first */
     CHECK(cylint_tangent_cone(&s, infinite, origin, 0, 6) == CYLINT_ENONFINITE);
     CHECK(cylint_tangent_cone(&s, origin, origin, 0, 6) == CYLINT_EANGLE);
