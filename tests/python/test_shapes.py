@@ -381,6 +381,23 @@ def test_text_does_not_depend_on_the_locale(tmp_path, monkeypatch):
     assert (tmp_path / "again").read_text() == "sphere 0 12 0.1 2.5\n"
 
 
+def test_a_file_is_replaced_whole(tmp_path, monkeypatch):
+    path, link = tmp_path / "scene", tmp_path / "link"
+    link.symlink_to(path)
+    shapes = forest(200, 8)
+    cylint.Scene(shapes).save(path)
+    path.chmod(0o640)
+    before, scene = path.read_bytes(), cylint.Scene.open(path)
+    with monkeypatch.context() as patch, refused("no rename", OSError):
+        patch.setattr(os, "replace", lambda *_: (_ for _ in ()).throw(OSError("no rename")))
+        cylint.write_scene(link, shapes[:1])
+    assert path.read_bytes() == before and len(os.listdir(tmp_path)) == 2
+    cylint.write_scene(link, shapes[:1])
+    assert (cylint.read_scene(path) == shapes[:1]).all() and link.is_symlink()
+    assert len(os.listdir(tmp_path)) == 2 and path.stat().st_mode & 0o777 == 0o640
+    assert (scene.shapes == shapes).all()
+
+
 def test_refused_shapes_have_no_kind(tmp_path):
     # Only a scene that a program in C saved has some.
     rod = cylint.cylinder(*UNIT, 1)

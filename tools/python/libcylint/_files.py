@@ -6,7 +6,9 @@ import codecs
 import errno
 import gzip
 import os
+import shutil
 import sys
+import tempfile
 import warnings
 import zlib
 from collections.abc import Iterator
@@ -85,11 +87,12 @@ def write_scene(
 
     labels: (...) str, in place of those of the shapes, as in `Shapes.with_labels`.
     `read_scene`, `cylint -s` and `cylint-render` read the same shapes and labels
-    from it.  Each number is the shortest text that is read as the same
-    float64.  Raises ValueError, and writes nothing, for a label with a line feed, a
-    NUL or blanks around it, or that begins with in= or out=, or longer than a line
-    of 1 MiB, and for a cone whose tangent no angle in degrees has, as some of
-    `tangent_cone`: the text has angles.
+    from it.  A file is written beside `path` and renamed, as by `Scene.save`.
+    Each number is the shortest text that is read as the same float64.  Raises
+    ValueError, and writes nothing, for a label with a line feed, a NUL or blanks
+    around it, or that begins with in= or out=, or longer than a line of 1 MiB, and
+    for a cone whose tangent no angle in degrees has, as some of `tangent_cone`: the
+    text has angles.
 
     >>> import os, tempfile
     >>> folder = tempfile.TemporaryDirectory()
@@ -108,8 +111,18 @@ def write_scene(
         raise ValueError(f"a file *.swc is read as a neuron: {name}")
     (shapes,) = checked([shapes])
     texts = [*scene_text(shapes if labels is None else shapes.with_labels(labels))]
-    with open(name, "wb") as file:
-        file.writelines(texts)
+    if os.path.lexists(name) and not os.path.isfile(name):  # a pipe, a device
+        with open(name, "wb") as file:
+            file.writelines(texts)
+        return
+    place = os.path.realpath(name)
+    with tempfile.TemporaryDirectory(".new", dir=os.path.dirname(place)) as beside:
+        part = os.path.join(beside, "part")
+        with open(part, "wb") as file:
+            file.writelines(texts)
+        if os.path.exists(place):
+            shutil.copymode(place, part)
+        os.replace(part, place)
 
 
 def scene_text(shapes: Shapes) -> Iterator[bytes]:
