@@ -286,6 +286,7 @@ def test_arrays_are_not_copied():
             (lambda: ROD.closest(fixed[0]), 8),
             (lambda: cylint.intersect(ROD, o.astype("f4"), d[:1]), 20 + 36),
             (lambda: scene.any(o, d), 1),
+            (lambda: scene.any(o, np.broadcast_to(np.float32([1, 0, 0]), o.shape)), 1),
             (lambda: ROD.contains(o), 1),
             (lambda: ROD.distance(o), 8),
             (lambda: ROD.safety(o[::-1, ::-1]), 8),

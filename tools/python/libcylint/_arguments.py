@@ -70,6 +70,16 @@ def array_of(name: str, value: ArrayLike, kind: Any = None) -> NDArray[Any]:
         raise ValueError(f"{name}: {error}") from None
 
 
+def _copied(array: NDArray[Any]) -> Doubles:
+    """A read-only copy, which repeats what the array repeats by strides of 0."""
+    once = array
+    if array.size > 999 and 0 in array.strides:  # a few are copied in less time
+        once = array[tuple(slice(None if step else 1) for step in array.strides)]
+    copy = once.astype(np.float64)
+    copy.setflags(write=False)
+    return copy if once is array else np.broadcast_to(copy, array.shape)
+
+
 def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
     """An array of float64 (..., width), or (...) if width is 1.
 
@@ -88,12 +98,12 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
                 "not; round it by astype(float)"
             )
         try:
-            array = given.astype(np.float64)
+            array = _copied(given)
         except TypeError as error:  # of Python's objects
             raise TypeError(f"{name}: {error}") from None
         except (OverflowError, ValueError) as error:
             raise ValueError(f"{name}: {error}") from None
-    if array is not given or isinstance(value, (list, tuple, float, int)):
+    if array is given and isinstance(value, (list, tuple, float, int)):
         array.flags.writeable = False
     if width > 1 and (array.ndim == 0 or array.shape[-1] != width):
         raise ValueError(
@@ -138,16 +148,8 @@ def _is_fixed(array: NDArray[Any]) -> bool:
 
 def owned(array: Doubles) -> Doubles:
     """These numbers, in memory that nobody else writes to: the array itself if it
-    is read-only, else a copy.  Axes along which it does not change are not copied.
-    """
-    if _is_fixed(array):
-        return array
-    if 0 not in array.strides:
-        copy = array.copy()
-        copy.flags.writeable = False
-        return copy
-    once = array[tuple(slice(None if step else 1) for step in array.strides)]
-    return np.broadcast_to(once.copy(), array.shape)
+    is read-only, else a copy."""
+    return array if _is_fixed(array) else _copied(array)
 
 
 # --------------------------------------------------------------- calls --
