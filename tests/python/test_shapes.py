@@ -4,6 +4,8 @@ import locale
 import os
 import pickle
 import struct
+from decimal import Decimal
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -59,7 +61,7 @@ def test_ends_are_words_numbers_or_arrays():
         ("cylinder", (*UNIT, "thick"), TypeError, "r: expected real numbers"),
         ("cylinder", (*UNIT, 10**400), ValueError, "r: .*too large"),
         ("cylinder", (*UNIT, [1, {}]), TypeError, "r: .*dict"),
-        ("cylinder", (*UNIT, np.array(["thick"], object)), ValueError, "r: .*'thick'"),
+        ("cylinder", (*UNIT, np.array(["thick"], object)), TypeError, "r: .*found str"),
         ("cylinder", ([0, 0, 1j], [0, 0, 1], 1), TypeError, "p0: expected real numbers"),
     ],
 )  # fmt: skip
@@ -73,10 +75,16 @@ def test_masked_elements_are_refused():
     ball = cylint.sphere([0, 0, 0], 1)
     assert np.array_equal(ball.distance(points), ball.distance(points.data))
     points[1, 2] = np.ma.masked
-    with refused("points: an element is masked"):
-        ball.distance([*points])
-    with refused("points: an element is masked"):
-        ball.distance(points)
+    masked, itself = np.ma.masked, [np.zeros(3)]
+    itself.append(itself)
+    for given in (
+        points, [*points], [[0, points[0]], [(points[1], points[0])]], [[masked, 0, 3]],
+        [1.5, masked, itself], [[0, 0, np.ma.array(1, mask=True)]],
+    ):
+        with refused("points: an element is masked"):
+            ball.distance(given)
+    with refused("points: .*inhomogeneous"):
+        ball.distance(itself)
     with refused("exclude: an element is masked"):
         cylint.Scene(ball).any(
             [0, 0, 0], [1, 0, 0], exclude=np.ma.masked_array([0], mask=[1])
@@ -86,6 +94,16 @@ def test_masked_elements_are_refused():
         cylint.cylinder(*UNIT, 1, ends=words)
     with refused("labels: an element is masked"):
         ball[None].with_labels(words[1:])
+
+
+def test_only_numbers_of_an_array_of_objects_are_converted():
+    numbers = [True, 2, np.int8(-3), np.float32(0.5), Fraction(1, 3), Decimal("0.1")]
+    given = np.array(numbers, object)
+    assert same(cylint.sphere([0, 0, 0], abs(given)).r, [1, 2, 3, 0.5, 1 / 3, 0.1])
+    for x in (None, "1", b"1", np.longdouble("0.1"), np.complex128(1), np.ma.masked):
+        given[3] = x
+        with refused(f"r: expected real numbers .*found {type(x).__name__}", TypeError):
+            cylint.sphere([0, 0, 0], given)
 
 
 @pytest.mark.skipif(np.longdouble(0).itemsize == 8, reason="longdouble is float64")

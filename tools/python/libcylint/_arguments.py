@@ -22,6 +22,8 @@ _Self = TypeVar("_Self")
 _Made = TypeVar("_Made")
 _Answer = TypeVar("_Answer")
 _FLOAT64 = np.dtype(np.float64)
+# What astype(float) takes from arrays of objects, but not as the number that it is
+_NO_NUMBERS = type(None), str, bytes, np.longdouble, np.complexfloating, np.ma.MaskedArray
 _NONE = np.array(-1)  # leaves out no shape
 
 atexit.register(_core.end_calls)
@@ -59,10 +61,7 @@ def takes(make: Callable[_P, _Made]) -> Callable[
 
 def array_of(name: str, value: ArrayLike, kind: Any = None) -> NDArray[Any]:
     """An array without masked elements: NumPy would take their numbers for data."""
-    rows = (value,) if isinstance(value, np.ma.MaskedArray) else value
-    if isinstance(rows, (list, tuple)) and any(
-        isinstance(row, np.ma.MaskedArray) and row.mask.any() for row in rows
-    ):
+    if _core.is_masked(value, np.ma.MaskedArray):
         raise ValueError(f"{name}: an element is masked")
     try:
         return np.asarray(value, kind)
@@ -90,8 +89,9 @@ def doubles(name: str, value: ArrayLike, width: int = 1) -> Doubles:
     if given.dtype != _FLOAT64 or not given.flags.aligned:
         if given.dtype.kind not in "fiubO":
             raise TypeError(f"{name}: expected real numbers, found {given.dtype}")
-        if given.dtype.kind == "O" and any(x is None for x in given.flat):
-            raise TypeError(f"{name}: expected real numbers, found None")
+        for kind in set(map(type, given.flat)) if given.dtype.kind == "O" else ():
+            if issubclass(kind, _NO_NUMBERS):
+                raise TypeError(f"{name}: expected real numbers (float64), found {kind.__name__}")
         if given.dtype.itemsize > 8:
             raise TypeError(
                 f"{name}: {given.dtype} (longdouble) has digits that float64 has "
