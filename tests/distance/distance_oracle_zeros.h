@@ -78,8 +78,8 @@ static real copy(real x)
 }
 
 /* Improves x, a zero between low and high, at which the signs differ (at high it is
- * `sign`), by Newton's iteration with bisection, until a step is 2^-digits of x.  The
- * error of the zero is that of the last step. */
+ * `sign`), by Newton's iteration with bisection, until a step is 2^-digits of x.
+ * The error of the zero is that of the last step. */
 static real iterate(const real *p, int degree, real low, real high, int sign,
                     real x, long digits)
 {
