@@ -89,7 +89,7 @@ static double lateral_distance_less(const elliptic_question *q)
 {
     const double n = q->plane.n;
     return range_of_height(&q->plane, fabs(n), &q->at).least -
-           (n < 0 ? q->by.distance : 0);
+           (n < 0 || !is_convex(q) ? q->by.distance : 0);
 }
 
 /* The distance in doubles, less its error.  lint: the search for this feature wrote

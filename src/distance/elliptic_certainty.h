@@ -2,72 +2,65 @@
  * elliptic_certainty.h - how far the height or distance at an angle can be from
  * that of the nearest point of an elliptic shape
  *
- * Nothing here depends on how the angle was found.  Let l = n' - n N.V / N.N
- * (elliptic_angle.h), which is 0 at the nearest point.
+ * Nothing here depends on how the angle was found.  From the base of a cylinder or
+ * the apex of a cone the lateral surface is Y.SY = 1 or 0, where S = x x^T + y y^T -
+ * (k - 1)^2 z z^T.  Let Y be the point of the ruling of the angle with the z of the
+ * foot of the perpendicular from Q on the tangent plane, and h the height.  The foot
+ * is Y + l u', where l = n' - n N.V / N.N (elliptic_angle.h) is 0 at the nearest
+ * point.  As SY = rho N,
+ *     Q = Y + m SY + l u', m = n / (rho N.N).
+ * For any other point Z of the surface, since Z.SZ = Y.SY,
+ *     |Z - Q|^2 - |Y - Q|^2 = (Z - Y).(1 + m S)(Z - Y) - 2 l (Z - Y).u'.
+ * Let `least`, at most the least eigenvalue of 1 + m S, be positive.  Then no point
+ * that is nearer than Y is farther from it than 2 l |u'| / least.  With Su' = V and
+ * u'.V = 1, the square of no distance is less than h^2 + m l^2 - (m l)^2 V.V / least.
+ * All this is right for both nappes of a double cone.  Outside a convex shape the
+ * first bound is right for least = 1, because projections on it reduce distances,
+ * and no distance is below h.
  *
- * Outside the lateral surface the height h is a lower bound of the distance.  The
- * foot on the tangent plane has (x, y).e = rho and l across e.  At d = l^2 / (rho
- * |N|) below it, (x, y).e is less by d |N|, which is twice what is needed for
- * (x, y)^2 <= rho^2, if l is so small that the other changes are small: at most 1/8
- * of rho and of l.  That point is in the solid.  So the distance is at most h + d,
- * and the nearest point, below the tangent plane and in the ball of that radius, is
- * within sqrt(2 h d) + 2 d of the foot.
+ * Inside, the distance is at most h.  Outside, let G be the point l^2 / (rho |N|)
+ * below the foot, where (Y + l u').S(Y + l u') exceeds Y.SY by l^2.  With s = |N.V| /
+ * N.N + |(k - 1) z.N| / N.N, G is in the solid if l (1 + s) <= rho / 4.
  *
- * Inside, h^2 < n^2 / N.N for all other angles is wanted.  With h of this angle,
- * and t the tangent of half the turn from it,
- *     (n^2 - h^2 N.N) (1 + t^2)^2
- * is a polynomial 4 g t (1 + t^2) + t^2 (K2 + K3 t + K4 t^2), where g is n l.
- * Where K2 + K3 t + K4 t^2 >= k (1 + t^2) with k > 0, the square of the
- * distance is less than that at this angle by at most 4 g^2 / k, and the nearest
- * angle has t <= 4 g / k.  The lesser h changes K2 to K4 by less than k / 2 where
- * 8 l h |norm| <= k.
+ * The turn from the angle to that of Z has the sine V.(Z - Y) / rho at Z.  Here the
+ * part of Z - Y along N is at most |Z - Y|^2 norm^2 / (2 rho |N|).  If the turn is
+ * small beside `across` / norm and |N| / norm, where `across` is the part of V
+ * across N, then N / |N| turns by about across / |N| times it, and by at most 2 (l
+ * |u'| + |Z - Y|) / h.
  *
- * R from a point of the rim, in whose plane the height is h, has the component w =
- * |R.u'| / |u'| = |l u'| along the rim.  So the distance is less than |R| by at
- * most w^2 / |R| and twice the bound for the height.
- *
- * Beside the lateral surface, on either side, let c = norm / |N| and 16 c (l +
- * 2 |n| c) <= rho.  A turn changes n by n' sin - 2 (n + rho) s^2, where s is
- * the sine of half the turn, and N by at most 2 norm |s|.  So a plane that is
- * as high as that of this angle has |s| <= (l + 2 |n| c) / (n + rho) <= 1 / (15
- * c).  The length of its normal is at least 13/15 |N|, and exceeds its
- * component along N by at most 2.4 c norm s^2.  Its n - h |N| is then at most
- *     2 l |s| - 2 s^2 (n + rho - |n| c - 1.2 |n| c^2) <= 2 l |s| - 1.8 rho s^2.
- * So the highest plane is higher by less than l^2 / (rho |N|), and the turn to
- * it is below 4 l / rho: the bounds of inside for k = 4 |n| rho.  The plane rho
- * = 0 through the apex is farther, so the foot on the highest plane is a point
- * of this nappe, the nearest one, and the other nappe is farther.
+ * The bounds are twice what is needed.
  */
 #ifndef CYLINT_ELLIPTIC_CERTAINTY_H
 #define CYLINT_ELLIPTIC_CERTAINTY_H
 
 #include "elliptic_angle.h"
 
-/* The numbers of the angle in doubles stay in use after a step in pairs.  It is at
- * most 1/16 of |N| / norm, so that N changes by 1/16 of it, and at most
- * CYLINT_PAIR_TURN.  K2 is at least CYLINT_CURVATURE_ERROR of the sizes of the
- * terms, or k is not positive, and K3^2 is below 4 K2 K4, so that K2 changes by a
- * part of about 2 sqrt(K4 / K2) of the step: 2^-3.  The bounds are twice what is
- * needed. */
-#define CYLINT_PAIR_TURN 0x1p-24
-
-/* Bounds on the errors of the distance and the nearest point of an angle, and of
- * the angle itself. */
+/* The foot of the perpendicular on a tangent plane. */
 typedef struct {
-    double distance, away, turn;
+    double z, z_error;
+    double rho;      /* at least */
+    double m, least; /* |m|, at most; `least`, or less than 0 */
+} plane_foot;
+
+/* Bounds on the errors of the distance and the nearest point of an angle. */
+typedef struct {
+    double distance, away;
 } uncertainty;
 
-static const uncertainty uncertain_angle = {HUGE_VAL, HUGE_VAL, HUGE_VAL};
-
-/* k from the coefficients of 1 - cos, sin^2, sin (1 - cos) and (1 - cos)^2 of the
- * turn, less their error. */
-static inline double least_curvature(double p1, double p2, double p3, double p4,
-                                     double error)
-{
-    const double K2 = 2 * p1 + 4 * p2, half = 2 * p3, K4 = 2 * p1 + 4 * p4;
-    const double middle = 0.5 * (K2 - K4);
-    return 0.5 * (K2 + K4) - sqrt(middle * middle + half * half) - error;
-}
+/* A question in doubles. */
+typedef struct {
+    const cylint_shape *shape;
+    elliptic_place at;
+    int feature, is_turned;
+    /* 1: within the lateral surface, -1: outside it, 0: uncertain: beside it or,
+     * within it, beside the plane of an end */
+    int side;
+    int rough; /* a rough angle is enough */
+    angle e;
+    tangent_plane plane;
+    plane_foot foot; /* on that plane */
+    uncertainty by;  /* of the angle */
+} elliptic_question;
 
 /* The relative error of N, whose terms can cancel. */
 static inline double normal_error(const tangent_plane *t,
@@ -76,78 +69,113 @@ static inline double normal_error(const tangent_plane *t,
     return 4 * p->relative * p->norm / t->size;
 }
 
-/* k for tangent planes and a point on the inner side of all. */
-static inline double inner_curvature(const tangent_plane *t,
-                                     const elliptic_place *p)
+/* At most the least eigenvalue of 1 + m S, if that is positive; else 0 or less.
+ * Where trace, sum of minors and determinant are positive, the eigenvalues are, and
+ * determinant / minors is a third of the least one, or more. */
+static inline double least_eigenvalue(const elliptic_place *p, double m)
 {
-    const double a = t->n + p->rho, b = t->slope_of_n;
-    const double hh = t->n * t->n / t->q;
-    const double size = fabs(p->x) + fabs(p->y) + fabs(p->rho);
-    const double of_N = hh * p->norm * p->norm;
-    const double error = CYLINT_CURVATURE_ERROR * (size * size + of_N) +
-                         16 * normal_error(t, p) * of_N +
-                         64 * p->error * (size + of_N / fabs(t->n));
-    return least_curvature(2 * (hh * cylint_dot(t->N, t->U) - t->n * a),
-                           b * b - hh * cylint_dot(t->V, t->V),
-                           2 * (hh * cylint_dot(t->U, t->V) - a * b),
-                           a * a - hh * cylint_dot(t->U, t->U), error);
-}
-
-/* k beside the surface, on either side; 0 elsewhere.  CYLINT_CLOSE affects only the
- * speed. */
-static inline double curvature_beside(const tangent_plane *t,
-                                      const elliptic_place *p, double l)
-{
-    const double n = fabs(t->n) + p->error;
-    return n <= CYLINT_CLOSE * p->rho &&
-                   16 * p->norm * (l * t->size + 2 * n * p->norm) <=
-                       p->rho * t->q
-               ? 4 * n * p->rho
-               : 0;
-}
-
-/* |N x V|: what the length of N times the turn of its direction gains by the
- * angle. */
-static inline double turn_of_normal(const tangent_plane *t)
-{
-    double x[3];
+    double Z[3], W[3];
+    EACH(i, 3)
+        Z[i] = p->slope * p->Z[i];
     EACH(i, 3) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        x[i] = t->N[j] * t->V[k] - t->N[k] * t->V[j];
+        W[i] = p->Y[j] * Z[k] - p->Y[k] * Z[j];
     }
-    return sqrt(cylint_dot(x, x));
+    const double xx = cylint_dot(p->X, p->X), yy = cylint_dot(p->Y, p->Y),
+                 zz = cylint_dot(Z, Z), xy = cylint_dot(p->X, p->Y),
+                 xz = cylint_dot(p->X, Z), yz = cylint_dot(p->Y, Z),
+                 volume = cylint_dot(p->X, W);
+    const double s1 = xx + yy - zz, s2 = (xx * yy - xy * xy) -
+                                         (xx * zz - xz * xz) -
+                                         (yy * zz - yz * yz);
+    const double trace = 3 + m * s1, minors = 3 + m * (2 * s1 + m * s2),
+                 det = 1 + m * (s1 + m * (s2 - m * volume * volume));
+    const double size = fabs(m), error = 16 * p->relative * (1 + size * xx) *
+                                         (1 + size * yy) * (1 + size * zz);
+    return trace > error && minors > error ? (det - error) / (minors + error)
+                                           : 0;
 }
 
-/* l: an upper bound.  rho: at the foot.  The normals of the nearest point and
- * of the angle differ by 2 away / h at most. */
-static inline uncertainty outside_lateral(const tangent_plane *t,
-                                          const elliptic_place *p, double l,
-                                          double rho)
+/* Whether the other nappe of a cone does not belong to the surface. */
+static inline int is_convex(const elliptic_question *q)
 {
-    if (!(8 * l <= rho))
-        return uncertain_angle;
-    const double size = t->size, h = (fabs(t->n) + p->error) / size;
-    const double deeper = l * l / (rho * size);
-    const double away = 2 * (l * sqrt(h / (rho * size)) + deeper);
-    /* what V and the gradient of rho gain along N, at most */
-    const double beside =
-        (fabs(t->half_q) + fabs(p->slope * cylint_dot(p->Z, t->N))) / size +
-        4 * p->relative * p->norm;
-    if (!(8 * l * beside <= rho * size))
-        return uncertain_angle;
-    return (uncertainty){deeper, away,
-                         4 * away * t->q / (h * turn_of_normal(t))};
+    return q->shape->ends != CYLINT_ENDS_INFINITE || q->at.slope == 0;
 }
 
-static inline uncertainty inside_lateral_surface(const tangent_plane *t,
-                                                 const elliptic_place *p,
-                                                 double l, double k)
+static inline void load_foot(elliptic_question *q)
 {
-    const double n = fabs(t->n) + p->error, size = t->size, h = n / size;
-    const double distance = 4 * h * l * l / k, turn = 16 * n * l / k;
-    if (!(8 * l * h * p->norm <= k))
-        return uncertain_angle;
-    return (uncertainty){distance, distance + h * p->norm / size * turn, turn};
+    const tangent_plane *t = &q->plane;
+    const elliptic_place *p = &q->at;
+    plane_foot *f = &q->foot;
+    const double n = fabs(t->n) + p->error, turned = normal_error(t, p),
+                 down = t->n / t->q * cylint_dot(t->N, p->Z);
+    f->z = p->z - down;
+    f->z_error =
+        4 * p->z_norm * (p->error + n * (turned + p->relative)) / t->size;
+    f->rho = p->rho - p->slope * down - p->error - fabs(p->slope) * f->z_error;
+    f->m = n / (f->rho * t->q * (1 - 2 * turned));
+    f->least = fabs(t->n) <= p->error ? 1 - f->m * p->norm * p->norm
+               : t->n > 0 && is_convex(q)
+                   ? 1
+                   : least_eigenvalue(p, copysign(f->m, t->n));
+}
+
+/* Whether the nearest point is near Y for a small l. */
+static inline int is_foot_nearest(const elliptic_question *q)
+{
+    return normal_error(&q->plane, &q->at) < 0x1p-10 && q->foot.rho > 0 &&
+           q->foot.least > 0;
+}
+
+/* |u'| */
+static inline double length_of_turn(const elliptic_question *q)
+{
+    double du[3];
+    EACH(i, 3)
+        du[i] =
+            q->e.cos * cylint_b(q->shape)[i] - q->e.sin * cylint_a(q->shape)[i];
+    return sqrt(cylint_dot(du, du));
+}
+
+/* |(k - 1) z.N| and |N.V|, over N.N, and its error. */
+static inline double bend_of(const elliptic_question *q)
+{
+    const tangent_plane *t = &q->plane;
+    const elliptic_place *p = &q->at;
+    return (fabs(t->half_q) + fabs(p->slope * cylint_dot(p->Z, t->N))) / t->q +
+           normal_error(t, p) * p->norm / t->size;
+}
+
+/* l: an upper bound of its size.  Infinite bounds where nothing is certain. */
+static inline uncertainty uncertainty_of(const elliptic_question *q, double l)
+{
+    const tangent_plane *t = &q->plane;
+    const plane_foot *f = &q->foot;
+    if (!(is_foot_nearest(q) && 4 * l * (1 + bend_of(q)) <= f->rho))
+        return (uncertainty){HUGE_VAL, HUGE_VAL};
+    const double deeper = 2 * l * l / (f->rho * t->size);
+    return (uncertainty){deeper *
+                             (1 + f->m * cylint_dot(t->V, t->V) / f->least),
+                         4 * l * length_of_turn(q) / f->least};
+}
+
+/* A bound on the turn to the nearest point. */
+static inline double turn_of(const elliptic_question *q)
+{
+    const tangent_plane *t = &q->plane;
+    const double norm = q->at.norm, rho = q->foot.rho, away = q->by.away,
+                 off = norm * away;
+    const double square = cylint_larger(
+                     cylint_dot(t->V, t->V) - t->half_q * t->half_q / t->q, 0),
+                 error = 16 * q->at.relative * norm * norm,
+                 across = sqrt(square + error);
+    const double turn =
+        2 * (across * away + off * off * norm / (rho * t->size)) / rho;
+    return 4 * turn * norm <= cylint_smaller(across, t->size) &&
+                   4 * error <= square
+               ? cylint_smaller(turn, 4 * away * t->q /
+                                          ((fabs(t->n) + q->at.error) * across))
+               : turn;
 }
 
 #endif

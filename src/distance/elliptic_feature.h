@@ -16,23 +16,6 @@
 #include "elliptic_certainty.h"
 #include "nearest.h"
 
-/* A question in doubles. */
-typedef struct {
-    const cylint_shape *shape;
-    elliptic_place at;
-    int feature, is_turned;
-    /* 1: within the lateral surface, -1: outside it, 0: uncertain: beside it or,
-     * within it, beside the plane of an end */
-    int side;
-    int rough; /* a rough angle is enough */
-    angle e;
-    tangent_plane plane;
-    double foot_z, foot_error; /* z of the foot on that plane, its error */
-    double foot_rho;           /* rho there, at least */
-    uncertainty by;            /* of the angle in doubles */
-    double curvature;          /* 0: outside, not near the lateral surface */
-} elliptic_question;
-
 /* Bounds of a number. */
 typedef struct {
     double least, most;
@@ -77,28 +60,6 @@ static inline double slope_error(const elliptic_question *q)
            (q->at.error + normal_error(&q->plane, &q->at) * fabs(q->plane.n));
 }
 
-static inline void load_foot(elliptic_question *q)
-{
-    const tangent_plane *t = &q->plane;
-    const elliptic_place *p = &q->at;
-    const double down = t->n / t->q * cylint_dot(t->N, p->Z),
-                 h = fabs(t->n) / t->size;
-    q->foot_z = p->z - down;
-    q->foot_error =
-        4 * p->z_norm *
-        (p->error / t->size + h * (normal_error(t, p) + p->relative));
-    q->foot_rho =
-        p->rho - p->slope * down - p->error - fabs(p->slope) * q->foot_error;
-}
-
-/* The uncertainty for all l up to this one. */
-ASIDE uncertainty uncertainty_of_plane(const elliptic_question *q, double l)
-{
-    return q->curvature > 0
-               ? inside_lateral_surface(&q->plane, &q->at, l, q->curvature)
-               : outside_lateral(&q->plane, &q->at, l, q->foot_rho);
-}
-
 /* Where a number from 0 at the base to 1 at the top is: -1: below the base, 0:
  * between the ends, 1: above the top. */
 static inline int zone_of(double z, double error)
@@ -118,26 +79,21 @@ static inline int zone_of_point(const elliptic_place *p)
 static inline int zone_of_foot(const elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
-    return zone_of(q->foot_z,
-                   q->foot_error + 4 * (p->z_error + p->z_norm * q->by.away));
+    return zone_of(q->foot.z,
+                   q->foot.z_error + 4 * (p->z_error + p->z_norm * q->by.away));
 }
 
 /* lint: the analyzer takes three rounds of EACH for one */
 /* The nearest point of the lateral surface without its ends. */
 static inline int find_on_lateral(elliptic_question *q)
 {
+    const tangent_plane *t = &q->plane;
     if (!find_lateral_angle(&q->e, &q->plane, &q->at, q->rough))
         return 0;
     load_foot(q);
-    const tangent_plane *t = &q->plane;
-    const double l =
-        fabs(t->slope_of_n - t->n * t->half_q / t->q) + slope_error(q);
-    q->curvature = curvature_beside(t, &q->at, l);
-    if (!(q->curvature > 0) && q->side > 0)
-        q->curvature = inner_curvature(t, &q->at);
-    q->by = uncertainty_of_plane(q, l);
-    return normal_error(&q->plane, &q->at) < 0x1p-10 &&
-           (q->curvature > 0 || (q->side < 0 && q->foot_rho > 0));
+    q->by = uncertainty_of(q, fabs(t->slope_of_n - t->n * t->half_q / t->q) +
+                                  slope_error(q));
+    return is_foot_nearest(q);
 }
 
 /* The apex is at h times this from the base. */
@@ -270,19 +226,6 @@ static inline void turn_place(elliptic_place *p)
     p->rho = -p->rho;
 }
 
-/* Whether the other nappe of a double cone is farther: above one of its tangent
- * planes. */
-static inline int is_nearer_nappe(const elliptic_question *q)
-{
-    const double most =
-        range_of_height(&q->plane, q->plane.n, &q->at).most + q->by.distance;
-    elliptic_place turned = q->at;
-    tangent_plane other;
-    turn_place(&turned);
-    load_tangent_plane(&other, &turned, (angle){-q->e.cos, -q->e.sin});
-    return range_of_height(&other, other.n, &turned).least > most;
-}
-
 static inline int feature_outside(elliptic_question *q)
 {
     const cylint_shape *s = q->shape;
@@ -297,9 +240,7 @@ static inline int feature_outside(elliptic_question *q)
     if (!find_on_lateral(q))
         return CYLINT_NO_FEATURE;
     if (!bounded)
-        return s->ends != CYLINT_ENDS_INFINITE || k1 == 0 || is_nearer_nappe(q)
-                   ? CYLINT_FEATURE_LATERAL
-                   : CYLINT_NO_FEATURE;
+        return CYLINT_FEATURE_LATERAL;
     const int zone = zone_of_foot(q);
     return zone == 0                       ? CYLINT_FEATURE_LATERAL
            : zone == CYLINT_SIGN_UNDECIDED ? CYLINT_NO_FEATURE

@@ -117,14 +117,12 @@ static inline direction_pair direction_of(vpair c, vpair s)
                             sized_of(pairs_trimmed(vpair_product(s, f)))};
 }
 
-/* Turns it by a step of Newton's iteration.  After a long one the numbers of the
- * angle in doubles are not those of this one: returns 0. */
-static inline int turn_direction(direction_pair *e, double by,
-                                 const elliptic_question *q)
+/* Turns it by a step of Newton's iteration.  Returns 0 for a long one, after which
+ * the length needs more digits. */
+static inline int turn_direction(direction_pair *e, double by)
 {
     const vpair step = {by, 0};
-    if (!(fabs(by) <= cylint_smaller(CYLINT_PAIR_TURN,
-                                     0x1p-4 * q->plane.size / q->at.norm)))
+    if (!(fabs(by) <= 0x1p-20))
         return 0;
     *e = direction_of(vpair_sub(e->cos.v, vpair_product(e->sin.v, step)),
                       vpair_add(e->sin.v, vpair_product(e->cos.v, step)));
@@ -186,22 +184,24 @@ ASIDE double turn_of_ruling(const ruling_in_pairs *t, int on_rim, double *most)
     return rounded(turn.v) / unit;
 }
 
-/* Turns the ruling and its angle by a step of Newton's iteration if `step` is not
- * 0, and writes the uncertainty there.  Returns at least |l|. */
-static inline double correct_ruling(ruling_in_pairs *t, direction_pair *e,
-                                    uncertainty *by, const elliptic_question *q,
-                                    const sized F[3], double f, int step)
+/* Turns the ruling and its angle by a step of Newton's iteration, and writes the
+ * uncertainty there. */
+static inline void correct_ruling(ruling_in_pairs *t, direction_pair *e,
+                                  elliptic_question *q, const sized F[3],
+                                  double f)
 {
     const int on_rim = q->feature != CYLINT_FEATURE_LATERAL;
     double most;
     const double l = turn_of_ruling(t, on_rim, &most) * q->plane.q /
                      slope_of_height(&q->plane, &q->at);
-    if (step && turn_direction(e, q->is_turned ? l : -l, q)) {
+    if (turn_direction(e, q->is_turned ? l : -l)) {
         load_ruling_in_pairs(t, q->shape, F, f, e);
+        q->e = (angle){e->cos.v.hi, e->sin.v.hi};
+        load_tangent_plane(&q->plane, &q->at, q->e);
+        load_foot(q);
         turn_of_ruling(t, on_rim, &most);
     }
-    *by = uncertainty_of_plane(q, most);
-    return most;
+    q->by = uncertainty_of(q, most);
 }
 
 /* n / |N| times `sign`.  turned: the relative change of |N|, error: that of the
@@ -383,8 +383,7 @@ static inline void answer_on_apex(elliptic_answer *to, const cylint_shape *s,
 }
 
 /* On the lateral surface or a rim.  The end of a lateral surface is the base. */
-static inline void answer_on_ruling(elliptic_answer *to,
-                                    const elliptic_question *q,
+static inline void answer_on_ruling(elliptic_answer *to, elliptic_question *q,
                                     const double point[3], int effort,
                                     unsigned want)
 {
@@ -394,28 +393,28 @@ static inline void answer_on_ruling(elliptic_answer *to,
     const double f = cylint_end_factor(s, end),
                  outward = cylint_left_handed(s) != q->is_turned ? -1 : 1;
     direction_pair e = direction_of((vpair){q->e.cos, 0}, (vpair){q->e.sin, 0});
-    uncertainty by = q->by;
     ruling_in_pairs t;
     sized F[3];
-    double change[3], beside = 0;
+    double change[3];
     load_pairs_from_axis(F, s, point, sized_double(end));
     load_ruling_in_pairs(&t, s, F, f, &e);
-    if (on_rim || effort)
-        beside = correct_ruling(&t, &e, &by, q, F, f, effort);
+    if (effort)
+        correct_ruling(&t, &e, q, F, f);
     if (on_rim) {
-        to->distance = length_of_pairs(t.R, 2 * by.distance);
-        to->distance.e +=
-            beside * beside * sized_dot(t.du, t.du).v.hi / to->distance.v.hi;
+        to->distance = length_of_pairs(t.R, 0);
+        to->distance.e += q->by.away * q->by.away / to->distance.v.hi;
     } else {
         sized n = sized_dot(t.R, t.normal.N);
         /* mutant '>' -> '>=': slower, where pairs suffice */
         if (effort > 1)
             n = sized_form(height_in_triples(s, point, &e), n.size);
-        to->distance = quotient_by_size(n, &t.normal, 0, by.distance, outward);
+        to->distance =
+            quotient_by_size(n, &t.normal, 0, q->by.distance, outward);
     }
     if (!(want & CYLINT_WANT_GEOMETRY))
         return;
-    change_of_normal(change, &t, s, by.turn);
+    const double turn = turn_of(q);
+    change_of_normal(change, &t, s, turn);
     write_unit(to->normal, &t.normal, change, outward);
     if (!on_rim)
         write_foot(to->point, point, to->distance, to->normal);
@@ -424,12 +423,11 @@ static inline void answer_on_ruling(elliptic_answer *to,
             const vpair center =
                 v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0);
             to->point[i] = place_beside(center, sized_times(t.u[i], f),
-                                        f * t.du[i].size * by.turn);
+                                        f * t.du[i].size * turn);
         }
 }
 
-static inline void answer_in_pairs(elliptic_answer *to,
-                                   const elliptic_question *q,
+static inline void answer_in_pairs(elliptic_answer *to, elliptic_question *q,
                                    const double point[3], int effort,
                                    unsigned want)
 {

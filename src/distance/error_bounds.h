@@ -136,9 +136,6 @@ enum { CYLINT_CLOSE_SQUARES = 4, CYLINT_CLOSE_DIRECTION = 4 };
  *                           sums, whose errors are smaller
  *   CYLINT_NEEDS_TRIPLES    n / rho of the lateral surface for which pairs do not
  *                           suffice: it affects only the speed
- *   CYLINT_CURVATURE_ERROR  of the coefficients of the curvature
- *                           (distance/elliptic_certainty.h), relative to the sizes
- *                           of their terms: fewer than 2^6 roundings
  *   CYLINT_ELLIPTIC_SAFETY_ERROR
  *                           in any rounding mode: of a local coordinate from the
  *                           matrix in doubles, relative to the norm of the matrix
@@ -156,7 +153,6 @@ enum { CYLINT_CLOSE_SQUARES = 4, CYLINT_CLOSE_DIRECTION = 4 };
 #define CYLINT_ELLIPTIC_ERROR (16 * CYLINT_NEAREST_ROUNDING)
 #define CYLINT_SIZED_ERROR 0x1p-94
 #define CYLINT_NEEDS_TRIPLES 0x1p-36
-#define CYLINT_CURVATURE_ERROR 0x1p-40
 #define CYLINT_ELLIPTIC_LEAST 0x1p-100
 #define CYLINT_ELLIPTIC_MOST 0x1p100
 
