@@ -83,13 +83,13 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
 
 /* --------------------------------------------------------------- safety -- */
 
-/* The distance from the lateral surface in doubles, less its error: outside, no
- * tangent plane is farther. */
+/* The distance from the lateral surface in doubles, less its error: outside a convex
+ * one, no tangent plane is farther. */
 static double lateral_distance_less(const elliptic_question *q)
 {
-    const double n = q->plane.n;
-    return range_of_height(&q->plane, fabs(n), &q->at).least -
-           (n < 0 || !is_convex(q) ? q->by.distance : 0);
+    const int is_lower = q->plane.n > 0 && is_convex(q);
+    return lateral_height(q) - lateral_error(q) -
+           (is_lower ? 0 : q->by.distance);
 }
 
 /* The distance in doubles, less its error.  lint: the search for this feature wrote
@@ -98,8 +98,8 @@ static double distance_less(const elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
     const double u = CYLINT_ELLIPTIC_SAFETY_ERROR;
-    const double along =
-        range_from_end(p, cylint_feature_end(q->feature)).least;
+    const double height = end_height(p, cylint_feature_end(q->feature)),
+                 along = height - end_error(p, height);
     double F[3], out, up;
     switch (q->feature) {
     case CYLINT_FEATURE_LATERAL:

@@ -16,32 +16,27 @@
 #include "elliptic_certainty.h"
 #include "nearest.h"
 
-/* Bounds of a number. */
-typedef struct {
-    double least, most;
-} range;
-
-/* Of n / |N|, whose size is |N|. */
-static inline range range_of(double n, double error, double size,
-                             double size_error)
+/* The height over the tangent plane, on either side, and its error. */
+static inline double lateral_height(const elliptic_question *q)
 {
-    const double u = CYLINT_ELLIPTIC_SAFETY_ERROR;
-    return (range){(n - error) / (size * (1 + u) + size_error),
-                   (n + error) / (size * (1 - u) - size_error)};
+    return fabs(q->plane.n) / q->plane.size;
 }
 
-/* Of the height n / |N| over a tangent plane. */
-static inline range range_of_height(const tangent_plane *t, double n,
-                                    const elliptic_place *p)
+static inline double lateral_error(const elliptic_question *q)
 {
-    return range_of(n, p->error, t->size, 4 * p->relative * p->norm);
+    const double turned = normal_error(&q->plane, &q->at);
+    return 4 * q->at.error / q->plane.size + 2 * turned * lateral_height(q);
 }
 
-/* Of the distance from the plane of an end. */
-static inline range range_from_end(const elliptic_place *p, int end)
+/* The same of the plane of an end. */
+static inline double end_height(const elliptic_place *p, int end)
 {
-    return range_of(fabs(end ? p->z - 1 : p->z), p->z_error, p->z_norm,
-                    4 * p->relative * p->z_norm);
+    return fabs(end ? p->z - 1 : p->z) / p->z_norm;
+}
+
+static inline double end_error(const elliptic_place *p, double height)
+{
+    return 4 * (p->z_error / p->z_norm + p->relative * height);
 }
 
 /* 1: the point is certainly within the section at its z, -1: outside, 0:
@@ -135,13 +130,12 @@ static inline int are_feet_beyond(const elliptic_question *q, double share,
 static inline int is_open_rim_nearest(const elliptic_question *q, int end)
 {
     const elliptic_place *p = &q->at;
-    const double across = range_of_height(&q->plane, -q->plane.n, p).most,
-                 along = range_from_end(p, end).most;
+    const double across = lateral_height(q), along = end_height(p, end),
+                 other = end_height(p, !end);
     return are_feet_beyond(q, end, p->rho, end) &&
            (cylint_caps_present(q->shape->ends) == 0 ||
-            range_from_end(p, !end).least >
-                sqrt(across * across + along * along) *
-                    (1 + CYLINT_ELLIPTIC_SAFETY_ERROR));
+            other - sqrt(across * across + along * along) >
+                lateral_error(q) + end_error(p, other + along));
 }
 
 /* The nearest point of the end beyond which the lateral surface has its nearest
@@ -174,14 +168,13 @@ static inline int feature_inside(elliptic_question *q)
 {
     const elliptic_place *p = &q->at;
     const unsigned caps = cylint_caps_present(q->shape->ends);
-    const double size = q->plane.size, lateral = fabs(q->plane.n) / size;
+    const double lateral = lateral_height(q);
     const double low = caps & 1 ? p->z / p->z_norm : HUGE_VAL,
                  high = caps & 2 ? (1 - p->z) / p->z_norm : HUGE_VAL;
     const int end = high < low;
     const double cap = end ? high : low;
-    const double error = 4 * (p->z_error / p->z_norm + p->error / size) +
-                         q->by.distance +
-                         8 * p->relative * (1 / p->z_norm + lateral);
+    const double error =
+        q->by.distance + lateral_error(q) + end_error(p, 2 / p->z_norm);
     if (lateral < cap - error)
         return caps == 3 || zone_of_foot(q) == 0 ? CYLINT_FEATURE_LATERAL
                                                  : CYLINT_NO_FEATURE;
