@@ -114,10 +114,10 @@ static inline void load_foot(elliptic_question *q)
         4 * p->z_norm * (p->error + n * (turned + p->relative)) / t->size;
     f->rho = p->rho - p->slope * down - p->error - fabs(p->slope) * f->z_error;
     f->m = n / (f->rho * t->q * (1 - 2 * turned));
-    f->least = fabs(t->n) <= p->error ? 1 - f->m * p->norm * p->norm
-               : t->n > 0 && is_convex(q)
-                   ? 1
-                   : least_eigenvalue(p, copysign(f->m, t->n));
+    f->least =
+        t->n > p->error && is_convex(q) ? 1 : 1 - f->m * p->norm * p->norm;
+    if (f->least < 0.5 && fabs(t->n) > p->error)
+        f->least = least_eigenvalue(p, copysign(f->m, t->n));
 }
 
 /* Whether the nearest point is near Y for a small l. */

@@ -25,7 +25,7 @@ static inline double lateral_height(const elliptic_question *q)
 static inline double lateral_error(const elliptic_question *q)
 {
     const double turned = normal_error(&q->plane, &q->at);
-    return 4 * q->at.error / q->plane.size + 2 * turned * lateral_height(q);
+    return q->at.error / q->plane.size + 2 * turned * lateral_height(q);
 }
 
 /* The same of the plane of an end. */
@@ -36,7 +36,7 @@ static inline double end_height(const elliptic_place *p, int end)
 
 static inline double end_error(const elliptic_place *p, double height)
 {
-    return 4 * (p->z_error / p->z_norm + p->relative * height);
+    return p->z_error / p->z_norm + 4 * p->relative * height;
 }
 
 /* 1: the point is certainly within the section at its z, -1: outside, 0:
