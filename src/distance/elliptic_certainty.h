@@ -38,8 +38,9 @@
 /* The foot of the perpendicular on a tangent plane. */
 typedef struct {
     double z, z_error;
-    double rho;      /* at least */
-    double m, least; /* |m|, at most; `least`, or less than 0 */
+    double rho; /* at least */
+    double m;   /* |m|, at most; outside a convex shape 0 */
+    double least;
 } plane_foot;
 
 /* Bounds on the errors of the distance and the nearest point of an angle. */
@@ -113,9 +114,10 @@ static inline void load_foot(elliptic_question *q)
     f->z_error =
         4 * p->z_norm * (p->error + n * (turned + p->relative)) / t->size;
     f->rho = p->rho - p->slope * down - p->error - fabs(p->slope) * f->z_error;
-    f->m = n / (f->rho * t->q * (1 - 2 * turned));
-    f->least =
-        t->n > p->error && is_convex(q) ? 1 : 1 - f->m * p->norm * p->norm;
+    f->m = t->n > p->error && is_convex(q)
+               ? 0
+               : n / (f->rho * t->q * (1 - 2 * turned));
+    f->least = 1 - f->m * p->norm * p->norm;
     if (f->least < 0.5 && fabs(t->n) > p->error)
         f->least = least_eigenvalue(p, copysign(f->m, t->n));
 }
@@ -164,10 +166,9 @@ static inline double turn_of(const elliptic_question *q)
 {
     const tangent_plane *t = &q->plane;
     const double norm = q->at.norm, rho = q->foot.rho, away = q->by.away,
-                 off = norm * away;
-    const double square = cylint_larger(
-                     cylint_dot(t->V, t->V) - t->half_q * t->half_q / t->q, 0),
-                 error = 16 * q->at.relative * norm * norm,
+                 off = norm * away, vv = cylint_dot(t->V, t->V);
+    const double square = cylint_larger(vv - t->half_q * t->half_q / t->q, 0),
+                 error = 4 * normal_error(t, &q->at) * norm * norm,
                  across = sqrt(square + error);
     const double turn =
         2 * (across * away + off * off * norm / (rho * t->size)) / rho;
