@@ -83,8 +83,8 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
 
 /* --------------------------------------------------------------- safety -- */
 
-/* The distance from the lateral surface in doubles, less its error: outside a convex
- * one, no tangent plane is farther. */
+/* The distance from the lateral surface in doubles, less its error: outside a
+ * convex one, no tangent plane is farther. */
 static double lateral_distance_less(const elliptic_question *q)
 {
     const int is_lower = q->plane.n > 0 && is_convex(q);

@@ -3,24 +3,24 @@
  * that of the nearest point of an elliptic shape
  *
  * Nothing here depends on how the angle was found.  From the base of a cylinder or
- * the apex of a cone the lateral surface is Y.SY = 1 or 0, where S = x x^T + y y^T -
- * (k - 1)^2 z z^T.  Let Y be the point of the ruling of the angle with the z of the
- * foot of the perpendicular from Q on the tangent plane, and h the height.  The foot
- * is Y + l u', where l = n' - n N.V / N.N (elliptic_angle.h) is 0 at the nearest
- * point.  As SY = rho N,
+ * the apex of a cone the lateral surface is Y.SY = 1 or 0, where S = x x^T + y y^T
+ * - (k - 1)^2 z z^T.  Let Y be the point of the ruling of the angle with the z of
+ * the foot of the perpendicular from Q on the tangent plane, and h the height.  The
+ * foot is Y + l u', where l = n' - n N.V / N.N (elliptic_angle.h) is 0 at the
+ * nearest point.  As SY = rho N,
  *     Q = Y + m SY + l u', m = n / (rho N.N).
  * For any other point Z of the surface, since Z.SZ = Y.SY,
  *     |Z - Q|^2 - |Y - Q|^2 = (Z - Y).(1 + m S)(Z - Y) - 2 l (Z - Y).u'.
  * Let `least`, at most the least eigenvalue of 1 + m S, be positive.  Then no point
  * that is nearer than Y is farther from it than 2 l |u'| / least.  With Su' = V and
- * u'.V = 1, the square of no distance is less than h^2 + m l^2 - (m l)^2 V.V / least.
- * All this is right for both nappes of a double cone.  Outside a convex shape the
- * first bound is right for least = 1, because projections on it reduce distances,
- * and no distance is below h.
+ * u'.V = 1, the square of no distance is less than h^2 + m l^2 - (m l)^2 V.V /
+ * least.  All this is right for both nappes of a double cone.  Outside a convex
+ * shape the first bound is right for least = 1, because projections on it reduce
+ * distances, and no distance is below h.
  *
  * Inside, the distance is at most h.  Outside, let G be the point l^2 / (rho |N|)
- * below the foot, where (Y + l u').S(Y + l u') exceeds Y.SY by l^2.  With s = |N.V| /
- * N.N + |(k - 1) z.N| / N.N, G is in the solid if l (1 + s) <= rho / 4.
+ * below the foot, where (Y + l u').S(Y + l u') exceeds Y.SY by l^2.  With
+ * s = (|N.V| + |(k - 1) z.N|) / N.N, G is in the solid if l (1 + s) <= rho / 4.
  *
  * The turn from the angle to that of Z has the sine V.(Z - Y) / rho at Z.  Here the
  * part of Z - Y along N is at most |Z - Y|^2 norm^2 / (2 rho |N|).  If the turn is
