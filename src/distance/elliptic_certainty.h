@@ -155,10 +155,13 @@ static inline uncertainty uncertainty_of(const elliptic_question *q, double l)
     const plane_foot *f = &q->foot;
     if (!(is_foot_nearest(q) && 4 * l * (1 + bend_of(q)) <= f->rho))
         return (uncertainty){HUGE_VAL, HUGE_VAL};
-    const double deeper = 2 * l * l / (f->rho * t->size);
-    return (uncertainty){deeper *
-                             (1 + f->m * cylint_dot(t->V, t->V) / f->least),
-                         4 * l * length_of_turn(q) / f->least};
+    const double deeper = 2 * l * l / (f->rho * t->size),
+                 away = 4 * l * length_of_turn(q) / f->least;
+    /* the nearest point is not the apex */
+    if (!q->rough && !(fabs(q->at.slope) * q->at.z_norm * away < f->rho))
+        return (uncertainty){HUGE_VAL, HUGE_VAL};
+    return (uncertainty){
+        deeper * (1 + f->m * cylint_dot(t->V, t->V) / f->least), away};
 }
 
 /* A bound on the turn to the nearest point. */

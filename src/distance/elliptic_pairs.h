@@ -228,15 +228,17 @@ static inline void write_unit(bounded_pairs to[3], const normal_in_pairs *n,
 
 static const double no_change[3] = {0, 0, 0};
 
-/* By how much N changes at most by a small turn: N' = h x u. */
+/* By how much N changes at most by a turn: N' = h x u, N'' = h x u'. */
 static inline void change_of_normal(double change[3], const ruling_in_pairs *t,
                                     const cylint_shape *s, double turn)
 {
     const double *h = cylint_axis(s);
+    double by[3];
+    EACH(i, 3)
+        by[i] = turn * (t->u[i].size + turn * t->du[i].size);
     EACH(i, 3) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        change[i] =
-            turn * (fabs(h[j]) * t->u[k].size + fabs(h[k]) * t->u[j].size);
+        change[i] = fabs(h[j]) * by[k] + fabs(h[k]) * by[j];
     }
 }
 
@@ -422,8 +424,9 @@ static inline void answer_on_ruling(elliptic_answer *to, elliptic_question *q,
         EACH(i, 3) {
             const vpair center =
                 v_two_sum(cylint_base(s)[i], end ? cylint_axis(s)[i] : 0);
-            to->point[i] = place_beside(center, sized_times(t.u[i], f),
-                                        f * t.du[i].size * turn);
+            to->point[i] =
+                place_beside(center, sized_times(t.u[i], f),
+                             f * turn * (t.du[i].size + turn * t.u[i].size));
         }
 }
 
