@@ -425,19 +425,6 @@ INLINE signs slope_signs(bounded_value A, bounded_value B, vd t)
     return signs_of(slope.v, slope.e);
 }
 
-/* On which side of a point of the chord the point at t lies, after at->above. */
-INLINE void set_past(point_signs *at, const local_line *l, const verdict *v,
-                     vd t, int solid)
-{
-    signs of_ball[2] = {at->past, at->past};
-    if (cylint_solid_is_hull(solid) && m_any(either_end(v->chord)))
-        EACH(i, 2)
-            of_ball[i] =
-                slope_signs(v->ball.A, bounded_of_end(v->ball.B, i), t);
-    at->past = past_chord(at, v, of_ball, slope_signs(v->A, v->B, t),
-                          v_lt(l->in.w, v_set(0)), solid);
-}
-
 /* In doubles, at t, but for at->past. */
 INLINE void set_place_signs(point_signs *at, const local_line *l, vd t,
                             int solid)
@@ -471,11 +458,18 @@ INLINE void set_place_signs(point_signs *at, const local_line *l, vd t,
     }
 }
 
+/* The same with at->past: on which side of a point of the chord it lies. */
 INLINE void set_point_signs(point_signs *at, const local_line *l,
                             const verdict *v, vd t, int solid)
 {
+    signs of_ball[2] = {at->past, at->past};
     set_place_signs(at, l, t, solid);
-    set_past(at, l, v, t, solid);
+    if (cylint_solid_is_hull(solid) && m_any(either_end(v->chord)))
+        EACH(i, 2)
+            of_ball[i] =
+                slope_signs(v->ball.A, bounded_of_end(v->ball.B, i), t);
+    at->past = past_chord(at, v, of_ball, slope_signs(v->A, v->B, t),
+                          v_lt(l->in.w, v_set(0)), solid);
 }
 
 /* Whether part of the overlap of a line that crosses certainly lies ahead of its

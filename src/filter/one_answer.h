@@ -58,8 +58,8 @@ INLINE void write_parts(cylint_answer *answer, cylint_end_bits e, unsigned hits,
     }
 }
 
-/* Writes a line that crosses with hits at those ends.  r: their roots, or NULL if
- * t is not wanted.  in: the line in pairs, if other members are wanted. */
+/* Writes a line that crosses with hits at those ends.  r: their roots, if t is
+ * wanted.  in: the line in pairs, if other members are wanted. */
 INLINE int write_hits(unsigned hits, cylint_end_bits e, const root *r,
                       const pair_line *in, cylint_question *q, int solid)
 {
@@ -68,7 +68,7 @@ INLINE int write_hits(unsigned hits, cylint_end_bits e, const root *r,
     if (q->want & CYLINT_WANT_NEAREST && hits == 3)
         hits = 1u << e.back;
     answer->relation = CYLINT_RELATION_CROSS;
-    if (r && hits) {
+    if (q->want & CYLINT_WANT_T && hits) {
         double t[2];
         const int lane = lane_of_hit(hits, 0, e.back);
         v_store(t, r->value);
@@ -162,7 +162,9 @@ INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
     const cylint_end_bits bits = bits_of_end(&e, l, v, q->shape, solid);
     if (bits.present & ~m_bits(at.is_near))
         return leave_undecided(q, CYLINT_REFINE_LINE);
-    const root r = step_from(at.t, residual_at(in, l, at.t, &e, solid), &at);
+    root r = step_from(at.t, residual_at(in, l, at.t, &e, solid), &at);
+    if (!(q->want & CYLINT_WANT_T)) /* its rounding may be uncertain */
+        r.nearest = m_from(3);
     const hits h = hits_of_roots(&r, l, m_from(bits.present));
     if (!ends_needed(h, bits, q->want))
         return write_hits(m_bits(h.hit), bits, &r, in, q, solid);

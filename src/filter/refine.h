@@ -11,6 +11,7 @@
 #include "../signs/origin.h"
 #include "levels.h"
 #include "one_answer.h"
+#include "plane.h"
 
 /* ------------------------------------------- the forms in pairs, rounded -- */
 
@@ -169,7 +170,7 @@ INLINE int lies_in_plane(const source *from)
 }
 
 /* Whether the line is certainly parallel to the axis: both run along the same
- * coordinate. */
+ * coordinate.  Then it is on the side of its origin. */
 INLINE int runs_along_axis(const source *from)
 {
     const double *w = cylint_axis(from->shape), *d = from->line->d;
@@ -177,63 +178,6 @@ INLINE int runs_along_axis(const source *from)
     for (int i = 0; i < 3; i++)
         runs |= cylint_runs_along(w, i) && cylint_runs_along(d, i);
     return runs;
-}
-
-/* A line parallel to the axis of a whole cylinder is on the side of its origin. */
-INLINE int answer_along_axis(cylint_question *q, const local_line *l,
-                             const pair_line *in)
-{
-    point_signs at = no_point_signs;
-    point_in_pairs(&at, l, in, v_set(0), q->shape, CYLINT_SOLID_WHOLE_CYLINDER);
-    if (m_bits(at.side.positive) & 1)
-        return write_miss(q->answer);
-    if (!(m_bits(at.side.negative) & 1))
-        return leave_undecided(q, CYLINT_REFINE_NONE);
-    q->answer->relation = CYLINT_RELATION_CROSS;
-    return q->answer->n = 0;
-}
-
-/* The signs of a line in pairs, then its hits. */
-static int refine_line(cylint_question *q)
-{
-    const cylint_shape *shape = q->shape;
-    const int solid = cylint_prepared(shape);
-    const source from = {shape, q->line};
-    local_line l = no_line;
-    pair_line in;
-    forms f = no_forms;
-    verdict v = no_verdict;
-    v.ball.computed = 1;
-    v.exists[0] = m_from(3);
-    set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
-    load_any_pairs(&in, shape, q->line, 1);
-    if (solid == CYLINT_SOLID_WHOLE_CYLINDER && runs_along_axis(&from))
-        return answer_along_axis(q, &l, &in);
-    forms_in_pairs(&f, &v.ball, &l, &in, shape, solid);
-    v.G = bounded_G(&f, &l, solid);
-    judge(&v, &f, &l, solid);
-    if (m_bits(m_or(v.misses, v_lt(v.G.v, -v.G.e))) & 1)
-        return write_miss(q->answer);
-    const int in_plane = has_end_planes(solid) && lies_in_plane(&from);
-    if (in_plane)
-        judge_in_plane(&v, m_from(3));
-    q->is_along = in_plane && cylint_solid_has_discs(solid);
-    const int sided = (m_bits(v.sided) & 1) != 0;
-    if (!(m_bits(v.crosses) & 1) ||
-        (!sided && (q->want & CYLINT_WANT_T || !ignores_parts(q, solid))))
-        return leave_undecided(q, CYLINT_REFINE_NONE);
-    count_all_roundings(&v, solid);
-    if (q->want & CYLINT_WANT_T)
-        return answer_by_roots(&l, &v, &in, q, solid);
-    const line_end e = end_number(&l, &v, 0, solid);
-    const vd t = near_limit(l.limit[0]);
-    point_signs at = no_point_signs;
-    point_in_pairs(&at, &l, &in, t, shape, solid);
-    set_between_planes(&at, v.in_plane);
-    set_past(&at, &l, &v, t, solid);
-    const place where = place_of(&at, &v, l.limit[0], solid);
-    return answer_by_places(&where, bits_of_end(&e, &l, &v, shape, solid), q,
-                            solid);
 }
 
 /* ------------------------------ a line that begins or ends at a surface -- */
@@ -391,7 +335,81 @@ INLINE hits with_exact_hits(hits h, const root *r, unsigned lanes,
                   m_and_not(h.undecided, m_from(lanes))};
 }
 
+/* ------------------------------------------------------------ points ---- */
+
+/* 1 inside, -1 outside, 0 neither for certain. */
+INLINE int side_of_place(place where)
+{
+    return (int)(m_bits(where.inside) & 1) - (int)(m_bits(where.before) & 1);
+}
+
+/* The signs that pairs leave uncertain, of a point near the surface, are computed
+ * exactly.  A point with a coordinate that is not finite is undecided. */
+INLINE int contains_exactly(point_signs *at, const cylint_question *q,
+                            int solid)
+{
+    if (cylint_solid_is_hull(solid) || solid == CYLINT_SOLID_NAPPE ||
+        !cylint_is_finite(q->line->o))
+        return CYLINT_SIGN_UNDECIDED;
+    settle_at_origin(at, 1, 0, q, solid);
+    return side_of_place(place_of_point(at, solid));
+}
+
+/* A point near the surface of any solid. */
+static int contains_in_pairs(const cylint_shape *shape, const double point[3])
+{
+    const int solid = cylint_prepared(shape);
+    const cylint_line line = {
+        .o = {point[0], point[1], point[2]}, .d = {1}, .in_range = 1};
+    cylint_question q = {.shape = shape, .line = &line};
+    local_line l = no_line;
+    point_signs at = no_point_signs;
+    pair_line in;
+    first_line first;
+    if (!cylint_rounds_to_nearest())
+        return CYLINT_SIGN_UNDECIDED;
+    load_point(&first, point, shape, solid);
+    q.Q = v_first(first.Q);
+    set_sizes(&l, q.shape, q.line, q.Q, q.D, solid);
+    load_any_pairs(&in, shape, &line, 0);
+    point_in_pairs(&at, &l, &in, v_set(0), shape, solid);
+    const int side = side_of_place(place_of_point(&at, solid));
+    return side != 0 ? side : contains_exactly(&at, &q, solid);
+}
+
 /* ------------------------------------------------------------ stages --- */
+
+/* The signs of a line in pairs, then its hits by roots, also without t. */
+static int refine_line(cylint_question *q)
+{
+    const cylint_shape *shape = q->shape;
+    const int solid = cylint_prepared(shape);
+    const source from = {shape, q->line};
+    local_line l = no_line;
+    pair_line in;
+    forms f = no_forms;
+    verdict v = no_verdict;
+    if (solid == CYLINT_SOLID_WHOLE_CYLINDER && runs_along_axis(&from))
+        return cylint_answer_parallel(contains_in_pairs(shape, q->line->o),
+                                      q->answer);
+    v.ball.computed = 1;
+    v.exists[0] = m_from(3);
+    set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
+    load_any_pairs(&in, shape, q->line, 1);
+    forms_in_pairs(&f, &v.ball, &l, &in, shape, solid);
+    v.G = bounded_G(&f, &l, solid);
+    judge(&v, &f, &l, solid);
+    if (m_bits(m_or(v.misses, v_lt(v.G.v, -v.G.e))) & 1)
+        return write_miss(q->answer);
+    const int in_plane = has_end_planes(solid) && lies_in_plane(&from);
+    if (in_plane)
+        judge_in_plane(&v, m_from(3));
+    q->is_along = in_plane && cylint_solid_has_discs(solid);
+    if (!(m_bits(m_and(v.crosses, v.sided)) & 1))
+        return leave_undecided(q, CYLINT_REFINE_NONE);
+    count_all_roundings(&v, solid);
+    return answer_by_roots(&l, &v, &in, q, solid);
+}
 
 /* The hits of a line that crosses, by signs in pairs at the ends of the domain; on
  * which sides of the chord these lie is in q->past. */
