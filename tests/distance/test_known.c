@@ -341,6 +341,24 @@ static int has_wanted(const cylint_shape *s, const double p[3], unsigned want,
     return same(&got, &due);
 }
 
+static void check_members(const struct family_case *c, const double p[3])
+{
+    const cylint_closest all = answer_to(&c->shape, p, WANT);
+    int good = 1;
+    for (unsigned want = 0; want <= WANT; want += CYLINT_WANT_PART)
+        good &= has_wanted(&c->shape, p, want, &all);
+    if (!CHECK(good))
+        REPORT_POINT(c, p);
+}
+
+TEST(each_member_alone_is_that_of_all)
+{
+    for (int elliptic = 0; elliptic < 2; elliptic++) {
+        over_points(check_members, 0, elliptic);
+        over_points(check_members, 1, elliptic);
+    }
+}
+
 /* The answers of pairs, of both builds, and the exact ones. */
 static void check_paths(const struct family_case *c, const double p[3])
 {
@@ -349,8 +367,6 @@ static void check_paths(const struct family_case *c, const double p[3])
     int good = 1;
     unprepared.library.flag[CYLINT_AT_PREPARED] = 0;
     unprepared.library.flag[CYLINT_AT_IN_RANGE] = 0;
-    for (unsigned want = 0; want <= WANT; want += CYLINT_WANT_PART)
-        good &= has_wanted(&c->shape, p, want, &all);
     for (unsigned w = 0; w < 2; w++) {
         const unsigned want = w ? WANT : CYLINT_WANT_PART;
         cylint_closest plain;
