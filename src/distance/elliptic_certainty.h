@@ -9,12 +9,13 @@
  * foot is Y + l u', where l = n' - n N.V / N.N (elliptic_angle.h) is 0 at the
  * nearest point.  As SY = rho N,
  *     Q = Y + m SY + l u', m = n / (rho N.N).
- * For any other point Z of the surface, since Z.SZ = Y.SY,
+ * For any other point Z of the surface, on both nappes, since Z.SZ = Y.SY,
  *     |Z - Q|^2 - |Y - Q|^2 = (Z - Y).(1 + m S)(Z - Y) - 2 l (Z - Y).u'.
  * Let `least`, at most the least eigenvalue of 1 + m S, be positive.  Then no point
  * that is nearer than Y is farther from it than 2 l |u'| / least.  With Su' = V and
  * u'.V = 1, the square of no distance is less than h^2 + m l^2 - (m l)^2 V.V /
- * least.  All this is right for both nappes of a double cone.  Outside a convex
+ * least.  The least eigenvalue is concave in m and 1 where m is 0, so an upper bound
+ * of |m| serves.  On a rim, Y.SY is the square of its factor.  Outside a convex
  * shape the first bound is right for least = 1, because projections on it reduce
  * distances, and no distance is below h.
  *
@@ -175,10 +176,10 @@ static inline double turn_of(const elliptic_question *q)
                  across = sqrt(square + error);
     const double turn =
         2 * (across * away + off * off * norm / (rho * t->size)) / rho;
-    return 4 * turn * norm <= cylint_smaller(across, t->size) &&
-                   4 * error <= square
-               ? cylint_smaller(turn, 4 * away * t->q /
-                                          ((fabs(t->n) + q->at.error) * across))
+    const double n = fabs(t->n) - q->at.error;
+    return n > 0 && 4 * error <= square &&
+                   4 * turn * norm <= cylint_smaller(across, t->size)
+               ? cylint_smaller(turn, 4 * away * t->q / (n * across))
                : turn;
 }
 

@@ -174,7 +174,7 @@ static inline int feature_inside(elliptic_question *q)
     const int end = high < low;
     const double cap = end ? high : low;
     const double error =
-        q->by.distance + lateral_error(q) + end_error(p, 2 / p->z_norm);
+        q->by.distance + lateral_error(q) + 2 * end_error(p, 1 / p->z_norm);
     if (lateral < cap - error)
         return caps == 3 || zone_of_foot(q) == 0 ? CYLINT_FEATURE_LATERAL
                                                  : CYLINT_NO_FEATURE;
