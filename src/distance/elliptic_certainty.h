@@ -14,10 +14,10 @@
  * Let `least`, at most the least eigenvalue of 1 + m S, be positive.  Then no point
  * that is nearer than Y is farther from it than 2 l |u'| / least.  With Su' = V and
  * u'.V = 1, the square of no distance is less than h^2 + m l^2 - (m l)^2 V.V /
- * least.  The least eigenvalue is concave in m and 1 where m is 0, so an upper bound
- * of |m| serves.  On a rim, Y.SY is the square of its factor.  Outside a convex
- * shape the first bound is right for least = 1, because projections on it reduce
- * distances, and no distance is below h.
+ * least.  The least eigenvalue is concave in m and 1 where m is 0, so an upper
+ * bound of |m| serves.  On a rim, Y.SY is the square of its factor.  Outside a
+ * convex shape the first bound is right for least = 1, because projections on it
+ * reduce distances, and no distance is below h.
  *
  * Inside, the distance is at most h.  Outside, let G be the point l^2 / (rho |N|)
  * below the foot, where (Y + l u').S(Y + l u') exceeds Y.SY by l^2.  With
