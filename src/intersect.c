@@ -117,6 +117,12 @@ int cylint_intersect_by_signs(const cylint_shape *shape,
         cylint_describe_hit(&q, &v.at[i],
                             describe_in_pairs(shape, line, want, &partial, hit),
                             hit);
+#if CYLINT_IS_PARANOID
+        const unsigned members = want & CYLINT_WANT_BESIDE_T;
+        cylint_hit exact;
+        cylint_describe_hit(&q, &v.at[i], members, &exact);
+        cylint_contradiction(hits_differ(hit, &exact, members));
+#endif
         if (want & CYLINT_WANT_NEAREST)
             break;
     }
