@@ -60,8 +60,8 @@ static void fill_lines(const struct scene_shapes *of)
     for (size_t i = 0; i < MOST; i++) {
         cylint_line line;
         memset(&line, 0, sizeof line);
-        /* wild lines test every shape: few of them */
-        const size_t kinds = i < 1000 ? LINES_KINDS : LINES_WILD;
+        /* wild lines test every shape: few of them, in two blocks */
+        const size_t kinds = i < 300 ? LINES_KINDS : LINES_WILD;
         scene_line(of, (enum scene_lines)(i % kinds), 1, i, &line);
         set_columns(&line, array, i);
         if (i % 100 == 1)

@@ -3,9 +3,9 @@
  *
  * A test is TEST(name) { ... }, whose name states a property.  CHECK(cond) counts
  * a failure and prints its place; REPORT(...) prints the input of a failure, in
- * the command's own input format where it has one.  main() below runs all tests of
- * the program in their order and prints `N passed, N failed`, which
- * tests/support/run.sh adds up.  A program with a main() of its own defines
+ * the command's own input format where it has one.  main() below runs the tests
+ * that its arguments name, or all, in their order, and prints
+ * `N passed, N failed`, which tests/support/run.sh adds up.  A program with a main() of its own defines
  * CHECK_OWN_MAIN before it includes this, and calls check_all().
  */
 #ifndef CYLINT_CHECK_H
@@ -112,9 +112,16 @@ static inline int check_all(void)
 }
 
 #ifndef CHECK_OWN_MAIN
-int main(void)
+int main(int argc, char **argv)
 {
-    return check_all();
+    for (int i = 0; i < check_count; i++) {
+        int is_named = argc == 1;
+        for (int k = 1; k < argc; k++)
+            is_named |= strcmp(argv[k], check_tests[i].name) == 0;
+        if (is_named)
+            check_run(check_tests[i].test, check_tests[i].name);
+    }
+    return check_end();
 }
 #endif
 
