@@ -14,8 +14,8 @@
  * is near.
  */
 
-/* x, and x rounded less and plus the error: low is high where all numbers within
- * the error round to the same double. */
+/* x, and the doubles nearest to x less the error and to x plus the error: where
+ * these are equal, all numbers within the error round to the same double. */
 INLINE vdistance NUMBER(rounded)(vpair x, vd error)
 {
     const vpair y = NUMBER(trimmed)(x);
@@ -46,13 +46,13 @@ INLINE void NUMBER(load_shapes)(shape_lanes *v,
     v->reach = of_lanes(at, CYLINT_AT_REACH);
 }
 
-/* NaN where b is NaN. */
+/* The larger one; NaN where b is NaN. */
 INLINE vpair NUMBER(larger)(vpair a, vpair b)
 {
     return pick(v_lt(v_set(0), rounded(NUMBER(minus)(a, b))), a, b);
 }
 
-/* Of a convex section the largest of the distances from its lines counts, unless
+/* The distance from a convex section is the largest of those from its lines, unless
  * a corner is nearest. */
 INLINE bounded_pairs NUMBER(from_section)(const half_plane *m,
                                           const vsection *p, vpair lateral,

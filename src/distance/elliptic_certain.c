@@ -39,7 +39,8 @@ static int has_tiny(const cylint_shape *s, const double point[3])
     return tiny;
 }
 
-/* Point and normal need the angle in pairs, a distance near the surface triples. */
+/* The effort of answer_in_pairs() to begin with: point and normal need the angle in
+ * pairs (1), a distance near the surface needs triples (2). */
 static int first_effort(const elliptic_question *q, unsigned want)
 {
     if (q->side == 0 || (q->feature == CYLINT_FEATURE_LATERAL &&
@@ -92,8 +93,8 @@ static double lateral_distance_less(const elliptic_question *q)
            (is_lower ? 0 : q->by.distance);
 }
 
-/* The distance in doubles, less its error.  lint: the search for this feature wrote
- * what is read. */
+/* The distance in doubles, less its error.  lint: the members that are read were
+ * written when this feature was found. */
 static double distance_less(const elliptic_question *q)
 {
     const elliptic_place *p = &q->at;

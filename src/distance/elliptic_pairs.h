@@ -103,7 +103,7 @@ typedef struct {
     normal_in_pairs normal;
 } ruling_in_pairs;
 
-/* What is written, but for the sign of the distance. */
+/* The answer.  The distance has a sign, whatever the ends. */
 typedef struct {
     bounded_pairs distance, point[3], normal[3];
 } elliptic_answer;
@@ -117,8 +117,8 @@ static inline direction_pair direction_of(vpair c, vpair s)
                             sized_of(pairs_trimmed(vpair_product(s, f)))};
 }
 
-/* Turns it by a step of Newton's iteration.  Returns 0 for a long one, after which
- * the length needs more digits. */
+/* Turns it by a step of Newton's iteration.  Returns 0, and does not turn it, if
+ * the step is so long that direction_of() would not make the length 1 in pairs. */
 static inline int turn_direction(direction_pair *e, double by)
 {
     const vpair step = {by, 0};
@@ -129,7 +129,7 @@ static inline int turn_direction(direction_pair *e, double by)
     return 1;
 }
 
-/* The point from base + share h. */
+/* F: the point minus base + share h. */
 static inline void load_pairs_from_axis(sized F[3], const cylint_shape *s,
                                         const double point[3], sized share)
 {
@@ -267,8 +267,8 @@ static inline sized sized_form(triple form, double size)
                    CYLINT_CLOSE_ERROR / CYLINT_SIZED_ERROR * size};
 }
 
-/* (D - u).N at an angle whose length triples bring to 1: it is that of the same
- * tangent plane. */
+/* (D - u).N.  The direction, whose length is 1 in pairs, is divided by its length
+ * in triples: that changes neither the angle nor the tangent plane. */
 ASIDE triple height_in_triples(const cylint_shape *s, const double point[3],
                                const direction_pair *e)
 {
@@ -320,7 +320,8 @@ static inline void load_normal_of_caps(normal_in_pairs *n,
     measure_normal(n);
 }
 
-/* The coordinate that all points of the end's plane share, if there is one. */
+/* Writes, without an error, the coordinate that all points of the end's plane
+ * share, if there is one. */
 static inline void keep_coordinate(elliptic_answer *to, const cylint_shape *s,
                                    const sized W[3], int end)
 {

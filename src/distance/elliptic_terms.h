@@ -26,7 +26,7 @@ typedef struct {
     const double *point;
     int e, far;
     double near;   /* 2^-far, but at least 2^-MOST_FAR */
-    triple moved;  /* times g, taken from Q; in the unit 2^(e + whole) */
+    triple moved;  /* this times g was subtracted from Q; unit 2^(e + whole) */
     int whole;     /* far, before Q was moved */
     double length; /* of Q's largest component before that, in that unit */
     triple Q[3], a[3], b[3], h[3];
@@ -159,14 +159,15 @@ static void from_end(const elliptic_terms *p, int end, triple to[3])
             end ? triple_sub(p->Q[i], triple_scale(p->h[i], p->near)) : p->Q[i];
 }
 
-/* The sizes of the terms of u.v. */
+/* The sum of the sizes of the terms of u.v. */
 static double dot_sizes(const triple u[3], const triple v[3])
 {
     return fabs(u[0].a * v[0].a) + fabs(u[1].a * v[1].a) +
            fabs(u[2].a * v[2].a);
 }
 
-/* The squares of cylinders and rims. */
+/* The same of the coefficients of squares where square[2] is -square[0]: of
+ * cylinders and rims. */
 static double square_sizes(const stationary *f)
 {
     return fabs(f->square[0].a) + fabs(f->square[1].a);
@@ -204,7 +205,8 @@ static void lateral_form(const elliptic_terms *p, stationary *f)
                square_sizes(f);
 }
 
-/* The same of a rim: E.u' for E = Q - near (f + e u). */
+/* The same of a rim with the centre f and the factor e: E.u' for
+ * E = Q - near (f + e u). */
 static void rim_form(const elliptic_terms *p, int end, stationary *f)
 {
     const double factor = cylint_end_factor(p->shape, end);

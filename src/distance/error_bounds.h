@@ -76,11 +76,12 @@ enum { CYLINT_CLOSE_SQUARES = 4, CYLINT_CLOSE_DIRECTION = 4 };
  *   lo of z        14: 10 of terms that sum up to 2.3 v, 4 of their sums
  *   lo of D.D      10 size: 2 of D, 4 of products, 4 of sums
  *   D.D - z^2      its lo: the errors of both and 15 size of roundings: 50 size
- *   rest of rho    12 size more; with y^2 of a ball's distance 40 size more
+ *   residual       of the root rho: 12 size more; with y^2 of a ball's distance
+ *                  40 size more
  *   rho            half of that / rho: below 51 thin, thin = size / (2 rho)
  *
  * CYLINT_HEAD_TAIL_Z, CYLINT_HEAD_TAIL_SQUARE and CYLINT_HEAD_TAIL_ACROSS are
- * proved for the lo of z, of D.D, and of D.D - z^2 and the rest of rho alone.
+ * proved for the lo of z, of D.D, and of D.D - z^2 and the residual alone.
  * The proofs take each coordinate to be as large as the size, so they are up
  * to three times the above; their sum is still below CYLINT_HEAD_TAIL_ERROR
  * (tests/bounds/prove/ratios.txt).

@@ -17,8 +17,8 @@
 #include "nearest.h"
 #include "pair_lanes.h"
 
-/* The numbers of an angle cone in the lengths of the world: its local coordinates
- * count axis lengths.  Its top is a sum of doubles. */
+/* The numbers of an angle cone in the caller's unit of length: the unit of its
+ * local coordinates is the length of its axis.  Its top is a sum of two doubles. */
 static void load_angle_cone(shape_lanes *s, const cylint_shape *shape)
 {
     const cylint_shape *const at[1] = {shape};
@@ -41,6 +41,7 @@ static void load_angle_cone(shape_lanes *s, const cylint_shape *shape)
     s->reach = (s->height.hi + s->r[1].hi) * CYLINT_SLACK;
 }
 
+/* Whether at most one of the three is not 0: then its size is their length. */
 static int is_one_number(const pair x[3])
 {
     int zeros = 0;
@@ -125,8 +126,8 @@ ASIDE int sign_of_foot(const half_plane *m, const shape_lanes *s,
 
 /* ------------------------------------------------------------- distances -- */
 
-/* root - r takes the place of the distance where rho, and with it this number, has
- * no error. */
+/* Writes root - r as the distance, where neither rho nor this number, a pair, has
+ * an error. */
 static void without_error(vnearest *n, const half_plane *m, pair root, pair r)
 {
     const double low = two_sum(root.hi, -r.hi).lo;
@@ -134,8 +135,8 @@ static void without_error(vnearest *n, const half_plane *m, pair root, pair r)
         n->d = pairs_rounded(vpair_sub(root, r), 0);
 }
 
-/* The cap at the end `top`, the plane of which is at the signed distance `plane`,
- * if it is nearer than the feature found.  x: across the axis from its circle. */
+/* Writes the cap at the end `top` if it is nearer than the feature found.  plane:
+ * the signed distance from its plane.  x: rho minus its radius. */
 INLINE void compare_with_cap(vnearest *n, const half_plane *m, pair plane,
                              pair x, int top)
 {
@@ -159,10 +160,11 @@ INLINE void compare_with_cap(vnearest *n, const half_plane *m, pair plane,
     n->d = pairs_rounded(plane, m->plane_error);
 }
 
-/* The feature and the distance without the caps between planes.  The foot on the
- * lateral line is beyond its end `end` (1), at it (0) or within (-1).  Where it is
- * at the end or undecided, both formulas give the same distance.  Numbers are
- * trimmed before they are squared: near a rim or a centre their terms cancel. */
+/* The feature and the distance, apart from flat caps.  foot: whether the foot on
+ * the lateral line is beyond its end `end` (1), at it (0) or within the line (-1).
+ * Where it is at the end or undecided, both formulas give the same distance.
+ * Numbers are trimmed before they are squared: near a rim or a centre their terms
+ * cancel. */
 INLINE void nearest_to_side(vnearest *n, const half_plane *m,
                             const shape_lanes *s, const pair x[2], int kind,
                             int end, int foot, int has_cap)
@@ -233,15 +235,15 @@ ASIDE void nearest_to_bounded(vnearest *n, half_plane *m, const shape_lanes *s,
     nearest_to_side(n, m, s, x, kind, end, foot, caps >> end & 1);
     if (round || !caps)
         return;
-    /* Only of points near the middle both caps can be nearest. */
+    /* Both caps can be nearest only to points near the middle. */
     const int top = caps == 3 ? t > M : caps == 2;
     compare_with_cap(n, m, top ? m->above : opposite(m->z), x[top], top);
     if (caps == 3 && fabs(t) <= M)
         compare_with_cap(n, m, m->above, x[1], 1);
 }
 
-/* An unbounded shape.  Beyond the apex the nearest nappe of a double cone is the
- * other one: the numbers of *s become its. */
+/* Of an unbounded shape.  Beyond the apex of a double cone its other nappe is
+ * nearest: *s then gets the numbers of that one. */
 static void nearest_to_unbounded(vnearest *n, half_plane *m, shape_lanes *s,
                                  int kind, int is_nappe)
 {
@@ -288,7 +290,7 @@ INLINE void find_nearest_in_pairs(vnearest *n, half_plane *m, shape_lanes *s,
         nearest_to_bounded(n, m, s, point, shape, kind);
     else
         nearest_to_unbounded(n, m, s, kind, shape->ends == CYLINT_ENDS_NAPPE);
-    if (!n->certain) /* another feature can be far nearer */
+    if (!n->certain) /* another feature can be much nearer */
         n->d = pairs_rounded(n->d.value, HUGE_VAL);
 }
 

@@ -82,8 +82,9 @@ INLINE vd feature_at(vm top, int at_base, int at_top)
     return v_select(top, v_set(at_top), v_set(at_base));
 }
 
-/* A point and a shape between two planes: a from the lateral line, x0 and x1 across
- * the axis from the ends of it, before and after the foot from them. */
+/* A point and a shape between two planes.  a: the distance from the lateral line.
+ * x0, x1: across the axis from its ends.  before, after: from its start and its end
+ * to the foot, along the line. */
 typedef struct {
     vd z, above, a, x0, x1, before, after;
 } vsection;

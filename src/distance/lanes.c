@@ -11,7 +11,8 @@
 #define CYLINT_DISTANCE_LANES cylint_distance_lanes_plain
 #endif
 
-/* The points from i on, the last of n one again where there are no more. */
+/* Loads the points from i on, of which there are n; further lanes get the last one
+ * again. */
 INLINE void load_points(vd x[3], const double *const xyz[3], size_t i, size_t n)
 {
     size_t at[LANES];
@@ -21,8 +22,8 @@ INLINE void load_points(vd x[3], const double *const xyz[3], size_t i, size_t n)
         x[k] = n >= LANES ? v_load(xyz[k] + i) : v_pick(xyz[k], at);
 }
 
-/* The shapes, the last of n one again where there are no more.  Whether the kernels
- * serve them together. */
+/* Writes the shape of each lane, of which there are n; further lanes get the last
+ * one again.  Returns whether the kernels serve them together. */
 INLINE int find_shapes(const cylint_shape *at[LANES],
                        const cylint_shape *shapes, size_t n)
 {
@@ -76,9 +77,9 @@ INLINE void store_features(const cylint_closest_columns *to, size_t i, size_t n,
     write_features(to, i, n, at, of_lane);
 }
 
-/* Writes what is wanted; returns where all of that is certain.  With heads and
- * tails the distance, and the feature where it is wanted; described: in pairs, also
- * point and normal. */
+/* Writes what is wanted, and returns the lanes where all of that is certain.
+ * described: whether point and normal are wanted, which needs pairs; distance and
+ * feature alone are computed with heads and tails. */
 INLINE vm write_lanes(const cylint_shape *const at[LANES], int kind,
                       const shape_lanes *s, const vd x[3], size_t i, size_t n,
                       const cylint_closest_columns *to, unsigned want,

@@ -1,7 +1,8 @@
 /*
  * many_distances.c - many points and shapes; points on a surface or beside it
  *
- * Capped shapes are answered in lanes.  What these leave is answered one by one.
+ * Distances from capped shapes are computed in lanes.  What is uncertain there, and
+ * distances from all other shapes, are computed one by one.
  */
 #include "../dispatch.h"
 #include "../numbers/bits.h"

@@ -158,7 +158,7 @@ INLINE double from_sphere(const cylint_shape *s, const double point[3])
     return fabs(root(X * X + Y * Y + Z * Z) - cylint_r0(s));
 }
 
-/* A straight shape, or a double cone. */
+/* Of an infinite cylinder or a double cone. */
 INLINE double from_infinite(const cylint_shape *s, position at, double C,
                             double S)
 {
@@ -173,8 +173,8 @@ INLINE double less_error(double distance, double error)
     return cylint_rounds_to_nearest() ? distance - error : 0;
 }
 
-/* 0 or less: the distance is below its error, or can overflow.  NaN: it
- * overflows. */
+/* The bound, if it is positive.  Otherwise the distance is below its error or can
+ * overflow; NaN: it overflows. */
 INLINE double if_positive(double bound, const cylint_shape *s,
                           const double point[3])
 {
