@@ -20,8 +20,8 @@
  * bins.  The split is as good as with all boxes. */
 enum { BINS = 16, SAMPLES = 2048 };
 
-/* A box, in vectors of one or four lanes.  The fourth of lower and of upper is what
- * follows in memory, and is not used. */
+/* A box, in vectors of one or four lanes.  A fourth lane holds what follows in
+ * memory, and is not used. */
 enum { PARTS = WIDTH == 1 ? 3 : 1 };
 typedef struct {
     vf lower[PARTS], upper[PARTS];
@@ -92,6 +92,7 @@ static inline bounds center_of(bounds h)
     return h;
 }
 
+/* A coordinate of the box's centre, times two. */
 static inline float key(const cylint_boxed_slice *b, int axis)
 {
     return b->box.lower[axis] + b->box.upper[axis];
@@ -126,7 +127,7 @@ static scale bin_scale(const range *r)
     return s;
 }
 
-/* Counted in bins, from the first. */
+/* The place of the box's centre, in bins from the first one. */
 static inline float bin_place(const cylint_boxed_slice *b, const scale *s,
                               int axis)
 {
@@ -321,9 +322,9 @@ static int largest_part(const range *parts, int n, size_t least, size_t most,
     return best;
 }
 
-/* The part to split next, or -1.  One of up to 8 leaves can be a node above them.
- * It is split only if all its leaves can be children here: then that node is not
- * needed, while a few leaves in each of several nodes make more nodes. */
+/* The part to split next, or -1.  A part of up to 8 leaves can become one node
+ * above these.  It is split only if all its leaves can be children here: then that
+ * node is not needed; a few leaves in each of several nodes make more nodes. */
 static int part_to_split(const range *parts, int n, int evenly)
 {
     const size_t room = CYLINT_CHILDREN - (size_t)n;

@@ -27,8 +27,8 @@ static void extend_box(cylint_shapes_box *box, const cylint_shapes_box *by)
 }
 
 /* Each number has at most 6 roundings and errors of its data.  A larger factor is
- * refused: squares of lengths may underflow later, and it would multiply what that
- * loses. */
+ * refused: squares of lengths may underflow later, and it would multiply that
+ * error. */
 int cylint_extend_by_shape(cylint_shapes_box *box, const cylint_shape *s)
 {
     cylint_shapes_box own = {.n = 1};
@@ -65,9 +65,9 @@ static int load_box(cylint_shapes_box *own, const cylint_view *view, size_t i)
 #define SORT sort_samples
 #include "../merge_sort_template.h"
 
-/* Sets the box outside which shapes are distant. */
-static void load_samples(const cylint_view *view, size_t of,
-                         cylint_shapes_box *inner)
+/* Sets the box outside which shapes are distant, from samples of `of` shapes. */
+static void set_inner_box(const cylint_view *view, size_t of,
+                          cylint_shapes_box *inner)
 {
     double lo[3][SAMPLES], hi[3][SAMPLES], spare[SAMPLES], longest = 0;
     size_t n = 0;
@@ -113,7 +113,7 @@ int cylint_choose_box(cylint_shapes_box *inner, const cylint_view *view,
     *inner = space;
     if (most == 0)
         return 1;
-    load_samples(view, n, inner);
+    set_inner_box(view, n, inner);
     if (lies_in(all, inner))
         return 1;
     for (size_t i = 0; i < n && distant <= most; i++) {

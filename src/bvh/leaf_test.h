@@ -273,7 +273,7 @@ static inline int is_fit(float E)
 /* The largest error of q for which the test is of use. */
 #define Q_ERROR_LIMIT 64.0
 
-/* To a bound that is farther away than all cylinders. */
+/* s, or a bound that is farther away than all cylinders. */
 static inline float clamped(double s)
 {
     const double most = 0x1p13;

@@ -37,7 +37,7 @@ static void *allocate_from_heap(void *owner, size_t bytes, void **handle)
 
 static const cylint_memory_source heap = {NULL, allocate_from_heap, free};
 
-/* The begin of the next cache line. */
+/* The beginning of the next cache line. */
 static char *whole_line(void *handle)
 {
     return (char *)handle + (CACHE_LINE - (uintptr_t)handle % CACHE_LINE);

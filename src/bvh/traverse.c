@@ -107,8 +107,9 @@ typedef struct {
     int n, n_leaves;
 } waiting;
 
-/* Adds the children with these bits to those that wait.  Zeros follow, and node 0
- * and leaf 0 exist, so that two are prefetched without a branch. */
+/* Adds the children with these bits to those that wait, and returns how many they
+ * are.  i_keep() writes two zeros after them, and node 0 and leaf 0 exist: so two
+ * are prefetched without a branch. */
 CYLINT_INLINE int keep_children(const cylint_bvh *bvh, uint32_t *to,
                                 const cylint_node *node, unsigned bits,
                                 uint32_t flag)

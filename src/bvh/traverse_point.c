@@ -107,11 +107,12 @@ CYLINT_INLINE void near_lanes(const cylint_leaf *b, const double q[3], double K,
 }
 
 /*
- * Of a point that is far away, from the distance that is returned.  A point x of a
- * slice is at least (q - x).e = |q| - x.e away, where e is the unit vector of q,
- * and x.e is at most that of an end of the axis, plus r.  Axes are within 2^10 of
- * the centre, so this is less than the distance by at most 2^19 / |q| <= 4 steps,
- * and floats err by less than one.
+ * The same for a point that is far away: the bounds are least[] plus the number
+ * returned, which floats would round too much.  A point x of a slice is at least
+ * (q - x).e = |q| - x.e away, where e is the unit vector of q, and x.e is at most
+ * that of an end of the axis, plus r.  Axes are within 2^10 of the centre, so this
+ * is less than the distance by at most 2^19 / |q| <= 4 steps, and the errors of the
+ * floats are below one step.
  */
 ASIDE double far_lanes(const cylint_leaf *b, const double q[3], double K,
                        float least[CYLINT_LEAF_SIZE])

@@ -83,7 +83,7 @@ static cylint_scene_status check_members(cylint_solids *s, size_t shapes)
  * shapes, which the line must hit first.  The number changes only the time. */
 enum { FEW_MEMBERS = 16 };
 
-/* While first_of_shape has the numbers of members. */
+/* Whether a shape has many members.  first_of_shape must still count them. */
 static int is_shared(const cylint_solids *s, uint32_t shape)
 {
     return s->first_of_shape[shape] > FEW_MEMBERS;
@@ -136,8 +136,8 @@ static void make_each_solid(cylint_solids *s, const cylint_scene *scene)
     }
 }
 
-/* Whether all solids have different numbers.  first_of_shape has the numbers of
- * members, before and afterwards. */
+/* Whether all solids have different numbers.  first_of_shape counts the members of
+ * each shape, before and afterwards. */
 static int have_own_numbers(cylint_solids *s)
 {
     const uint32_t taken = (uint32_t)1 << 31;
