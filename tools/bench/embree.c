@@ -93,7 +93,7 @@ static cylint_embree_part cell(const struct sticks *s, size_t k)
                                 .geomID = (unsigned)k};
 }
 
-/* The geometry of cell k; merged the only one. */
+/* The geometry of cell k, or the one that is merged of all cells. */
 static RTCGeometry geometry_of(RTCDevice device, const struct sticks *s,
                                size_t k, int flags)
 {
@@ -171,8 +171,8 @@ static inline int any_of(const struct world *w, int i)
 BENCH_TURN(nearest, WORLD, t_of(w, i))
 BENCH_TURN(any, WORLD, any_of(w, i))
 
-/* Sixteen neighbours at once, in Embree's layout: word m of ray i is m 16 +
- * i. */
+/* Sixteen neighbours at once, in Embree's layout: word m of ray i is word 16 m + i
+ * of the packet. */
 static double nearest_in_packets(const void *worlds, const int *order, int n)
 {
     static const int valid[LANES] __attribute__((aligned(64))) = {

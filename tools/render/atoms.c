@@ -10,8 +10,7 @@
 
 enum { FIELDS = 5, BOND = 0xb4b4b4, OTHER_ELEMENT = 0xff1493 };
 
-/* H, C, N, O and S have softer colours here than elsewhere; the others are those of
- * Jmol. */
+/* Colours of Jmol; those of H, C, N, O and S are softer. */
 static const struct {
     const char *symbol;
     uint32_t colour;
