@@ -47,7 +47,7 @@ static inline float cylint_float_below(double x)
     return -cylint_float_above(-x);
 }
 
-/* Half floats: the upper 16 bits of a float.  This one is not above x >= 0. */
+/* A bfloat16: the upper 16 bits of a float.  This one is not above x >= 0. */
 static inline uint16_t cylint_bfloat16_below(double x)
 {
     const float f = cylint_float_below(x);

@@ -20,7 +20,7 @@
  */
 typedef struct cylint_leaf {
     float center[3]; /* of the slices' box */
-    uint16_t steps;  /* steps per unit of length: a half float */
+    uint16_t steps;  /* steps per unit of length: a bfloat16 */
     uint8_t used;    /* the number of lanes in use, | CYLINT_LEAF_SOLID or
                         CYLINT_LEAF_ROUND */
     uint8_t always;  /* bits: lanes without a cylinder, which always pass */

@@ -75,8 +75,8 @@ static inline pair pair_div(pair a, pair b)
     return fast_two_sum(q, remainder / b.hi);
 }
 
-/* a > 0.  Relative error at most CYLINT_PAIR_SQRT.  NaN where a number that
- * underflowed is negative. */
+/* a > 0.  Relative error at most CYLINT_PAIR_SQRT.  NaN where a is negative because
+ * a number underflowed. */
 static inline pair pair_sqrt(pair a)
 {
     const double s = cylint_sqrt(a.hi);

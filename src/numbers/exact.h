@@ -130,8 +130,8 @@ static inline double cylint_nearest_of_pair(cylint_arena *arena, pair x, int e)
 /* The double nearest to x y, in every floating-point environment; exported, too. */
 CYLINT_API double cylint_nearest_product(double x, double y);
 
-/* The double nearest to x, and the one nearest to the rest; 0 beside an infinite
- * one.  Where nothing is subnormal, the relative error is below
+/* The double nearest to x, and the double nearest to x minus that; 0 beside an
+ * infinite one.  Where nothing is subnormal, the relative error is below
  * CYLINT_EXACT_ROUNDING (error_bounds.h). */
 pair cylint_exact_round(cylint_arena *arena, exact x);
 

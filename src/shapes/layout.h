@@ -30,7 +30,7 @@ enum {
      * angle */
     CYLINT_AT_R0 = 3,
     CYLINT_AT_R1 = 4,
-    CYLINT_AT_COLUMNS = 5, /* x, y, z gain (P - base)[i] times column i */
+    CYLINT_AT_COLUMNS = 5, /* (x, y, z): the sum of (P - base)[i] column i */
     CYLINT_AT_HEIGHT = 14, /* z of the top */
     CYLINT_AT_SLOPE,       /* of the lateral surface */
     CYLINT_AT_COSINE,      /* of the angle between axis and lateral surface; */
