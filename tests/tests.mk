@@ -57,7 +57,7 @@ $(BUILD)/tests/command/faulty: wrapped := $(call wrap,read write poll open close
 	malloc calloc realloc free pipe pthread_create)
 
 # A target of tests/fuzz runs under libFuzzer (FUZZER=yes, by `make fuzz`) or
-# replays files; in the fuzzed command the test reads and writes.
+# replays files; read() and write() of the fuzzed command are the test's.
 fuzz_programs := $(patsubst %,$(BUILD)/tests/fuzz/%,record command shapes $(if $(FUZZER),scene_file))
 $(BUILD)/tests/fuzz/main.o: tools/cylint/main.c $(BUILD)/tests/fuzz/flags
 	$(call say,CC $<)$(compile) -Dmain=command_main -c -o $@ $<

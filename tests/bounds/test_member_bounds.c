@@ -173,11 +173,11 @@ static hit_root any_root(void)
     double t = mpfr_get_d(the.hit->t->x, RND);
     if (t != 0 && one_of(4) == 0) /* an end of step_from() */
         t = nextafter(t, one_of(2) ? HUGE_VAL : -HUGE_VAL);
-    const real rest = minus(the.hit->t, real_of(t));
-    double tail = mpfr_get_d(rest->x, RND);
+    const real low = minus(the.hit->t, real_of(t));
+    double tail = mpfr_get_d(low->x, RND);
     const double error = one_of(4) ? ldexp(t, -54 - one_of(60)) : 0;
     tail += one_of(3) ? (one_of(2) ? error : -error) : error * between(-1, 1);
-    const double most = off_by(rest, tail, 0);
+    const double most = off_by(low, tail, 0);
     root_is_pair = error == 0;
     return (hit_root){v_set(t), v_set(tail),
                       v_set(one_of(2) ? most : fmax(most, fabs(error))),

@@ -136,6 +136,7 @@ static inline int rays_are_native(RTCScene scene, int n)
 #endif
 }
 
+/* Copies the words before a query. */
 static inline void remember(struct rays *r, RTCScene scene)
 {
     const int native = rays_are_native(scene, r->n);
@@ -226,7 +227,7 @@ static inline int rays_shadowed(struct rays *r, int i)
     return rays_at(r, RAY_TFAR, i)->f == -HUGE_VALF;
 }
 
-/* The number of words that the last query changed without a right to: those of
+/* The number of words that the last query changed and must not change: those of
  * inactive rays, of an active ray's input, beyond the last; after
  * rays_occluded() all but tfar of active rays. */
 static inline int rays_strayed(const struct rays *r, int occlusion)

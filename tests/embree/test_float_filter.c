@@ -246,8 +246,8 @@ TEST(round_shapes_and_others_are_answered_together)
     answer_families(&build, family, round, FAMILY_RCONE);
 }
 
-/* The rest of round shapes are balls of which one holds the other, and shapes of
- * which the line passes near the circle between ball and cone. */
+/* Not certain are hits on round shapes of which one ball holds the other, and those
+ * where the line passes near the circle between ball and cone. */
 TEST(ordinary_shapes_are_certain)
 {
     static const struct {
