@@ -18,7 +18,7 @@ static int needs_labels(const struct options *o)
            o->not_label || o->rank || o->sum;
 }
 
-/* Of a saved scene, or of a text. */
+/* Reads the shapes of a saved scene or of a text. */
 static int load_shapes(struct scene *scene, int keeps_labels)
 {
     scene->keeps_labels = keeps_labels;
@@ -26,7 +26,8 @@ static int load_shapes(struct scene *scene, int keeps_labels)
     return status == NOT_SAVED ? scene_read_text(scene) : status;
 }
 
-/* No method needs the hierarchy. */
+/* Reads the shapes, and what belongs to their labels.  Builds the hierarchy, which
+ * a method does not need. */
 static int read_scene(struct job *job)
 {
     const struct options *o = job->options;

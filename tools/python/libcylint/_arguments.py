@@ -22,7 +22,8 @@ _Self = TypeVar("_Self")
 _Made = TypeVar("_Made")
 _Answer = TypeVar("_Answer")
 _FLOAT64 = np.dtype(np.float64)
-# What astype(float) takes from arrays of objects, but not as the number that it is
+# Types that astype(float) converts in arrays of objects, though they are no real
+# numbers or lose digits
 _NO_NUMBERS = type(None), str, bytes, np.longdouble, np.complexfloating, np.ma.MaskedArray
 _NONE = np.array(-1)  # leaves out no shape
 

@@ -192,7 +192,7 @@ class Unlocked
 
 /* Ends the calls in other threads, which raise SystemExit, and waits for them. */
 void end_calls();
-/* Of a process that was forked: the calls in other threads are not in it. */
+/* In the child of a fork: the calls of the parent's other threads do not run. */
 void forget_calls();
 
 /* progress(done, total), or nothing */

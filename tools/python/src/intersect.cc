@@ -3,7 +3,7 @@
  *
  * If the shape does not change in a block, its lines go to
  * cylint_intersect_lines(), else both to cylint_intersect_pairs().  Exact segments,
- * shapes that are numbered, and members that batches have not go to
+ * shapes that are numbered, and members that batches do not compute go to
  * cylint_intersect() one by one.
  */
 #include "calls.h"
