@@ -1,5 +1,5 @@
 /*
- * test_known.c - answers known by hand, and properties
+ * test_known.c - distances and safety: answers known by hand, and properties
  *
  * The records of known.txt have their answers, and they and the cases of the
  * families have the properties.  The oracle's tests of families are in

@@ -1,5 +1,5 @@
 /*
- * test_oracle.c - distances against the oracle
+ * test_oracle.c - distances against the oracle; the safety is never above them
  *
  * CYLINT_CASES is the number of shapes of each family, with POINTS points each; a
  * twentieth of that with points of any exponents, and for families of such shapes.

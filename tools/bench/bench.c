@@ -9,6 +9,9 @@
  * subjects that contain it; the status is 4 if no CASE has one.  Without a CASE
  * the program prints their names.  Output is CSV; a ratio below 1 means that the
  * library is faster.
+ *
+ * A new case needs a line in the table, a function in bench.h and an object in
+ * bench.mk.
  */
 #define _GNU_SOURCE /* sched_setaffinity(), getopt() */
 #include "bench.h"

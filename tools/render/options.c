@@ -1,5 +1,7 @@
 /*
- * options.c - the options of the command line
+ * options.c - the options of cylint-render
+ *
+ * A new option needs a line in the table.
  */
 #include <limits.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /*
- * options.h - the options of the command line
+ * options.h - the options of cylint-render
  */
 #ifndef CYLINT_RENDER_OPTIONS_H
 #define CYLINT_RENDER_OPTIONS_H
