@@ -165,9 +165,9 @@ INLINE void compare_with_cap(vnearest *n, const half_plane *m, pair plane,
  * Where it is at the end or undecided, both formulas give the same distance.
  * Numbers are trimmed before they are squared: near a rim or a centre their terms
  * cancel. */
-INLINE void nearest_to_side(vnearest *n, const half_plane *m,
-                            const shape_lanes *s, const pair x[2], int kind,
-                            int end, int foot, int has_cap)
+INLINE void nearest_without_planes(vnearest *n, const half_plane *m,
+                                   const shape_lanes *s, const pair x[2],
+                                   int kind, int end, int foot, int has_cap)
 {
     const int round = cylint_is_round(kind), is_beyond = foot == 1;
     const pair rho = m->rho, z[2] = {m->z, m->above};
@@ -232,7 +232,7 @@ ASIDE void nearest_to_bounded(vnearest *n, half_plane *m, const shape_lanes *s,
         /* A line that is not longer than the margin can begin and end here. */
         n->certain = foot != CYLINT_SIGN_UNDECIDED && before + after < -4 * M;
     }
-    nearest_to_side(n, m, s, x, kind, end, foot, caps >> end & 1);
+    nearest_without_planes(n, m, s, x, kind, end, foot, caps >> end & 1);
     if (round || !caps)
         return;
     /* Both caps can be nearest only to points near the middle. */

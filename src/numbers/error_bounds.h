@@ -232,7 +232,7 @@
  * coordinate exceeds Q = |t| D + Q:
  *
  *   of a cap       f = CYLINT_LOCAL_RESIDUAL u Q
- *   of the side    k f (|x| + |y| + k f + CYLINT_LOCAL_UNTRIMMED k Q), and
+ *   lateral        k f (|x| + |y| + k f + CYLINT_LOCAL_UNTRIMMED k Q), and
  *                  |rho| beside |x| if the shape is tapered
  *
  * The last term is for the square of the low parts.

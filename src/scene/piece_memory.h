@@ -13,8 +13,8 @@ typedef struct cylint_piece_memory {
     size_t n, capacity;
 } cylint_piece_memory;
 
-/* Makes the workspace larger than a query wants.  Nothing stays in it.  Returns 0
- * if there is no memory. */
+/* Replaces the workspace by one of more than work->wanted bytes, after a query that
+ * had no room.  Returns 0 if there is no memory. */
 int cylint_grow_workspace(cylint_workspace *work);
 
 /* Adds all pieces of a line, or the first `most` unless that is 0.  Returns 0 if
