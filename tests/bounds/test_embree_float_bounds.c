@@ -78,7 +78,7 @@ static void set_slope(questions_bounds *q, double slope, int is_round)
     q->r0 = (number){(1 - q->alpha.size) * sqrt(q->T.size), 0};
 }
 
-/* The bounds of float_filter_lanes.h.  chord_end() wants errors of at most 6/8 e_a
+/* The bounds of float_filter_lanes.h.  chord_end() needs errors of at most 6/8 e_a
  * and 0.33 e_G / sqrt(G); of a cone G <= 2 T^2, of a ball G <= 1. */
 TEST(the_errors_of_cones_and_balls_are_within_their_bounds)
 {

@@ -79,7 +79,7 @@ static int root_is_pair;
 static number X = {"local x", 0, 0, 0, 0}, Y = {"local y", 0, 0, 0, 0},
               Z = {"local z", 0, 0, 0, 0}, RHO = {"rho", 0, 0, 0, 0},
               POINT = {"point", 0, 0, 0, 0},
-              OF_SIDE = {"normal, lateral", 0, 0, 0, 1},
+              OF_LATERAL = {"normal, lateral", 0, 0, 0, 1},
               OF_SKEW = {"normal, skew rows", 0, 0, 0, 1},
               OF_BALL = {"normal, ball", 0, 0, 0, 1},
               OF_PLANE = {"normal, plane", 0, 0, 0, 1},
@@ -133,7 +133,7 @@ static number *normal_now(void)
     return the.is_on_ball                    ? &OF_BALL
            : the.part != CYLINT_PART_LATERAL ? skew ? &OF_SKEW_PLANE : &OF_PLANE
            : skew                            ? &OF_SKEW
-                                             : &OF_SIDE;
+                                             : &OF_LATERAL;
 }
 
 static void judge_members(const source *from, const pair_line *in,
@@ -246,9 +246,9 @@ TEST(each_number_was_compared_and_had_an_error)
 {
     (void)describe_known;
     static const number *const all[] = {
-        &X,       &Y,       &Z,       &RHO,      &POINT,
-        &OF_SIDE, &OF_SKEW, &OF_BALL, &OF_PLANE, &OF_SKEW_PLANE,
-        &HEIGHT,  &PHI,     &ROOT};
+        &X,          &Y,       &Z,       &RHO,      &POINT,
+        &OF_LATERAL, &OF_SKEW, &OF_BALL, &OF_PLANE, &OF_SKEW_PLANE,
+        &HEIGHT,     &PHI,     &ROOT};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         printf(
             "note: %-18s error over its bound: %.6f, of a root in pairs %.3g; "

@@ -426,8 +426,8 @@ static int count_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
     return ++*count == MOST_COUNTED;
 }
 
-/* All children of a node are the same: the next node, or, of the first `n_leaves`
- * and in the last node, the leaf.  The line hits all boxes. */
+/* All children of a node are the next node, but the first `n_leaves`, and all of
+ * the last node, are the leaf.  The line hits all boxes. */
 static void traverse_equal_boxes(int depth, int n_leaves, long leaves)
 {
     static const cylint_bvh_line through = {

@@ -26,7 +26,7 @@ static int call(const struct world *w, struct rays *r)
     a.rayhit = (struct RTCRayHitN *)(void *)r->word;
     a.N = (unsigned)r->n;
     cylint_embree_occluded_callback((const void *)&a);
-    memcpy(r->valid, valid, sizeof valid); /* Embree 4's are answers */
+    memcpy(r->valid, valid, sizeof valid); /* answers, with Embree 4 */
     check_shadows_of(w, r);
     memcpy(r->word, r->before, sizeof r->before);
     cylint_embree_intersect_callback(&a);

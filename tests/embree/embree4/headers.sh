@@ -32,7 +32,7 @@ enum RTCRayQueryFlags {
     RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER = 1 << 1,
     RTC_RAY_QUERY_FLAG_COHERENT = 1 << 16
 };
-enum RTCFeatureFlags { RTC_FEATURE_FLAG_ALL = -1 }; /* ISO C wants an int */
+enum RTCFeatureFlags { RTC_FEATURE_FLAG_ALL = -1 }; /* ISO C requires an int */
 #define RTC_ARGUMENTS(Query, query)                               \
     struct RTC##Query##Arguments {                                \
         enum RTCRayQueryFlags flags;                              \
