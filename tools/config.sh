@@ -76,7 +76,7 @@ printf '#include <charconv>\nint main()\n%s\n' \
 probe CXX17 yes $CXX -std=c++17 $CPPFLAGS $CXXFLAGS $LDFLAGS \
     "$work/charconv.cc" "$work/c_part.o"
 
-# an x86 processor, and a compiler that knows its instruction sets; to include
+# an x86 processor, and a compiler that supports its instruction sets; to include
 # immintrin.h would take longer than all other probes
 cat >"$work/x86.c" <<'END'
 #if !__has_include(<immintrin.h>) || !defined __x86_64__ && !defined __i386__

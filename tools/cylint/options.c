@@ -68,8 +68,8 @@ static int read_query(const struct option *o, const char *value, void *place)
 
 /* ---------------------------------------------------------------- table -- */
 
-/* What an option needs: most, 0 in the table, need other output than a scene; a
- * query needs a scene, too. */
+/* What an option needs.  Most, with 0 in the table, need answers, which --save and
+ * --text do not write; NEEDS_QUERY: also a scene. */
 enum needs {
     NEEDS_ANSWERS,
     NEEDS_NOTHING,
@@ -176,7 +176,7 @@ static int is_given(const struct options *o, const char *name)
     return was_given(option_table, o->given, name);
 }
 
-/* ---------------------------------------------- options upon each other -- */
+/* ------------------------------------- options that depend on each other -- */
 
 /* -k LINE,SHAPE, or -k LINE with a scene. */
 static int settle_kinds(struct options *o)

@@ -9,8 +9,8 @@
 #include "numbers/compiler.h"
 #include "shapes/layout.h"
 
-/* What holds an end of the overlap: the side, the base or the top. */
-enum place { SIDE, BASE, TOP };
+/* Where an end of the overlap is: the lateral surface, the base or the top. */
+enum place { LATERAL, BASE, TOP };
 
 static inline int hits_of(const double t[2], double t0, double t1)
 {
@@ -29,7 +29,7 @@ static inline int roots(double A, double B, double C, double t[2])
     return 1;
 }
 
-/* Clips the overlap t with the slab.  Returns whether anything is left. */
+/* Clips the overlap t to the slab.  Returns 0 if it is then empty. */
 static inline int clip(const struct lean *s, double z, double speed,
                        double t[2], enum place *on)
 {
@@ -40,8 +40,8 @@ static inline int clip(const struct lean *s, double z, double speed,
     const int up = base < top;
     const double first = up ? base : top, last = up ? top : base;
     if (on) {
-        on[0] = first > t[0] ? up ? BASE : TOP : SIDE;
-        on[1] = last < t[1] ? up ? TOP : BASE : SIDE;
+        on[0] = first > t[0] ? up ? BASE : TOP : LATERAL;
+        on[1] = last < t[1] ? up ? TOP : BASE : LATERAL;
     }
     t[0] = first > t[0] ? first : t[0];
     t[1] = last < t[1] ? last : t[1];
@@ -122,7 +122,7 @@ CYLINT_INLINE int hull(const struct lean *s, const double o[3],
     for (int k = 0; k < 2; k++) {
         const double y = wq - shift + t[k] * wd;
         if (on)
-            on[k] = SIDE;
+            on[k] = LATERAL;
         if (y > 0 && y < d2)
             continue;
         const int first = A > 0 ? y <= 0 : (wd > 0) != k;
@@ -147,11 +147,11 @@ static inline void straight_normal(const struct lean *s, const double p[3],
     const double z = dot3(p, s->axis);
     const double back = z + s->slope * (s->r0 + s->slope * z);
     const double scale = s->scale / fabs(s->r0 + s->slope * z);
-    if (on == SIDE)
+    if (on == LATERAL)
         along3(normal, p, -back, s->axis);
     else
         copy3(normal, s->axis);
-    scale3(normal, on == SIDE ? scale : on == BASE ? -1 : 1);
+    scale3(normal, on == LATERAL ? scale : on == BASE ? -1 : 1);
 }
 
 static inline void elliptic_normal(const struct lean *s, const double p[3],
@@ -159,14 +159,14 @@ static inline void elliptic_normal(const struct lean *s, const double p[3],
 {
     const double x = dot3(p, s->row[0]), y = dot3(p, s->row[1]);
     copy3(normal, s->axis);
-    if (on == SIDE) {
+    if (on == LATERAL) {
         copy3(normal, s->row[0]);
         scale3(normal, x);
         along3(normal, normal, y, s->row[1]);
     }
-    scale3(normal, on == SIDE   ? 1 / length3(normal)
-                   : on == BASE ? -s->outside
-                                : s->outside);
+    scale3(normal, on == LATERAL ? 1 / length3(normal)
+                   : on == BASE  ? -s->outside
+                                 : s->outside);
 }
 
 /* From the centre of the ball that touches the surface there. */
@@ -176,7 +176,7 @@ static inline void round_normal(const struct lean *s, const double p[3],
     const double wp = dot3(p, s->axis), rise = -s->slope;
     const double d2 = s->height - rise * rise;
     double at = on == TOP;
-    if (on == SIDE)
+    if (on == LATERAL)
         at = (wp - rise * s->r0) / d2;
     const double scale = 1 / (s->r0 + s->slope * at);
     along3(normal, p, -at, s->axis);
@@ -202,7 +202,7 @@ static inline void ball_normal(const struct lean *s, const double p[3],
                             const double d[3], double *t, double n[3]) \
     {                                                                  \
         double both[2], p[3];                                          \
-        enum place on[2] = {SIDE, SIDE};                               \
+        enum place on[2] = {LATERAL, LATERAL};                         \
         if (!name(s, o, d, both, on) || !(both[1] >= 0))               \
             return 0;                                                  \
         *t = both[0] >= 0 ? both[0] : both[1];                         \
@@ -296,7 +296,7 @@ static double cylinder_distance(const struct lean_body *s,
     return sqrt(x * x + y * y);
 }
 
-/* From a cap and from the side; the lesser of the squares. */
+/* From a cap and from the lateral line; the lesser of the squares. */
 static double cone_distance(const struct lean_body *s, const double point[3])
 {
     double across;
@@ -306,11 +306,11 @@ static double cone_distance(const struct lean_body *s, const double point[3])
     const double dr = s->r1 - s->r0, h = 2 * s->half;
     const double x = across - s->r1, up = y - s->half;
     const double at = clamped(-(x * dr + up * h) * s->inverse);
-    const double side_x = x + dr * at, side_y = up + h * at;
+    const double line_x = x + dr * at, line_y = up + h * at;
     const double cap = cap_x * cap_x + cap_y * cap_y;
-    const double side = side_x * side_x + side_y * side_y;
-    const double distance = sqrt(cap < side ? cap : side);
-    return side_x < 0 && cap_y < 0 ? -distance : distance;
+    const double line = line_x * line_x + line_y * line_y;
+    const double distance = sqrt(cap < line ? cap : line);
+    return line_x < 0 && cap_y < 0 ? -distance : distance;
 }
 
 static double sphere_distance(const struct lean_body *s, const double point[3])

@@ -19,7 +19,7 @@ struct lean {
     double height; /* infinite where there is none; capsule, round cone: w.w */
     double r0, r0_squared;
     double slope;   /* of the radius along the axis; round cone: r1 - r0 */
-    double scale;   /* of a normal of the side */
+    double scale;   /* of a lateral normal */
     double outside; /* elliptic: |axis| */
 };
 
