@@ -61,7 +61,7 @@ static int is_beyond_part(const search *s, const double p[3])
     }
 }
 
-/* Whether p is taken.  cylint_contains() is -1 for an infinite point. */
+/* Whether p is a point to return.  cylint_contains() is -1 for an infinite one. */
 static int is_there(const search *s, const double p[3])
 {
     return cylint_contains(s->shape, p) == s->side &&

@@ -39,8 +39,8 @@ typedef struct {
     line_lanes line;
 } ball_pass;
 
-/* The lanes that pass by for certain. */
-INLINE vm passes_ball(const local_line *l)
+/* The lanes whose line certainly misses the ball. */
+INLINE vm misses_ball(const local_line *l)
 {
     forms f;
     first_form(&f, l, CYLINT_SOLID_SPHERE);
@@ -48,8 +48,8 @@ INLINE vm passes_ball(const local_line *l)
     return m_and(l->in_range, v_lt(g.v, -g.e));
 }
 
-/* The lanes whose ball is not for certain beyond the line's domain or the
- * nearest hit. */
+/* The lanes whose ball is not certainly beyond the line's domain or the nearest
+ * hit. */
 INLINE unsigned within_reach(const local_line *l,
                              const cylint_filter_batch *from)
 {
@@ -141,7 +141,7 @@ INLINE local_line ball_at(const pass_columns *columns, size_t lane, mode m,
     return l;
 }
 
-/* The lanes of a vector whose ball the line does not certainly pass by. */
+/* The lanes of a vector whose line does not certainly miss the ball. */
 INLINE unsigned lanes_kept(const pass_columns *columns, size_t lane, mode m,
                            ball_pass *pass)
 {
@@ -150,7 +150,7 @@ INLINE unsigned lanes_kept(const pass_columns *columns, size_t lane, mode m,
     if (m == MODE_SHAPE && n < LANES) /* the caller's arrays end there */
         return there;
     const local_line ball = ball_at(columns, lane, m, pass);
-    return there & m_bits(m_not(passes_ball(&ball)));
+    return there & m_bits(m_not(misses_ball(&ball)));
 }
 
 /* Puts the numbers of the lanes `kept` into the list; returns how many. */
@@ -160,14 +160,14 @@ INLINE size_t keep_numbers(size_t *list, const pass_columns *columns,
     size_t n = 0;
     if (m != MODE_SHAPE)
         return v_keep(list, columns->run.number + lane, kept);
-    for (unsigned i = 0; i < LANES; i++) { /* no branch to guess */
+    for (unsigned i = 0; i < LANES; i++) { /* no branch to predict */
         list[n] = lane + i;
         n += kept >> i & 1;
     }
     return n;
 }
 
-/* Puts the numbers of lanes that do not pass by into the list, until it has
+/* Puts the numbers of lanes that do not certainly miss into the list, until it has
  * `enough`. */
 INLINE void first_pass(cylint_filter_batch *from, size_t enough, mode m)
 {

@@ -319,7 +319,7 @@ static inline size_t v_keep(size_t *to, const size_t *from, unsigned bits)
 static inline size_t v_keep(size_t *to, const size_t *from, unsigned bits)
 {
     size_t n = 0;
-    for (unsigned i = 0; i < LANES; i++) { /* no branch to guess */
+    for (unsigned i = 0; i < LANES; i++) { /* no branch to predict */
         to[n] = from[i];
         n += bits >> i & 1;
     }
