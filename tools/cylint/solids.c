@@ -124,8 +124,8 @@ static int refuse_number(const struct solids *s, const char *file, size_t solid,
                     (unsigned long long)number);
 }
 
-/* Prints a message if the first solid of complements only, which is unbounded, may
- * be a slip of another's name. */
+/* Prints a message if the name of the first solid of complements only, which is
+ * unbounded, may be another's with a typing error. */
 static int remark_slip(const struct solids *s, const char *file)
 {
     char shown[SHOWN_CAPACITY], meant[SHOWN_CAPACITY];
