@@ -295,7 +295,7 @@ static int is_zero(const stationary *f)
     return sum == 0;
 }
 
-/* In one half turn. */
+/* The directions of the zeros in one half turn. */
 static int half_turn(const stationary *form, int sign, direction to[MOST_ZEROS])
 {
     polynomial f = {.in_triples = 0};

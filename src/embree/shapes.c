@@ -1,6 +1,6 @@
 /*
- * shapes.c - the shapes of a geometry: what their constructors got, and how they
- * move
+ * shapes.c - the shapes of a geometry: the arguments of their constructors, and how
+ * they move
  */
 #include "shapes.h"
 

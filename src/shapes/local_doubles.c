@@ -14,7 +14,7 @@
 #include "../numbers/simd.h"
 #include "shape_facts.h"
 
-/* Stores x and y together, as kernels load them: else these wait. */
+/* Stores x and y together, as kernels load them: two stores delay that load. */
 INLINE void store_two(double *to, double x, double y)
 {
 #if LANES == 2
