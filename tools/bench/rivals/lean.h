@@ -43,8 +43,8 @@ struct lean_body {
     double base[3]; /* cylinder: the middle of the axis */
     double axis[3]; /* unit; capsule: w */
     double half, r0, r1;
-    double sine, cosine; /* round cone: of the angle between side and axis */
-    double inverse;      /* cone: 1 / its side squared; capsule: 1 / w.w */
+    double sine, cosine; /* round cone: of the half angle */
+    double inverse;      /* cone: 1 / (w.w + dr^2); capsule: 1 / w.w */
 };
 typedef double lean_distance(const struct lean_body *solid,
                              const double point[3]);
