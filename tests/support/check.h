@@ -5,8 +5,9 @@
  * a failure and prints its place; REPORT(...) prints the input of a failure, in
  * the command's own input format where it has one.  main() below runs the tests
  * that its arguments name, or all, in their order, and prints
- * `N passed, N failed`, which tests/support/run.sh adds up.  A program with a main() of its own defines
- * CHECK_OWN_MAIN before it includes this, and calls check_all().
+ * `N passed, N failed`, which tests/support/run.sh adds up.  A program with a
+ * main() of its own defines CHECK_OWN_MAIN before it includes this, and calls
+ * check_all().
  */
 #ifndef CYLINT_CHECK_H
 #define CYLINT_CHECK_H
