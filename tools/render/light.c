@@ -7,7 +7,7 @@
  * A pixel depends on its place only.
  */
 #include "colours.h"
-#include "light.h"
+#include "picture.h"
 #include "sampling.h"
 #include "view.h"
 

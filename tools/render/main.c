@@ -103,7 +103,6 @@ static int prepare(struct job *job)
 static int draw_picture(struct job *job, struct output *out)
 {
     const struct options *o = &job->options;
-    const int is_xray = o->xray.scale != XRAY_NONE;
     struct picture picture;
     const struct drawing drawing = {&picture, &job->view, o->samples,
                                     o->workers};
@@ -112,12 +111,12 @@ static int draw_picture(struct job *job, struct output *out)
         return status;
     job->stage.scene = job->scene.shapes;
     status = picture_make(&picture, o->size[0], o->size[1],
-                          is_xray                              ? 1
+                          o->has_xray                          ? 1
                           : job->stage.backdrop.is_transparent ? 4
                                                                : 3);
     if (status == 0)
-        status = is_xray ? xray_picture(&drawing, &o->xray, job->stage.scene)
-                         : trace(&drawing, &job->stage);
+        status = o->has_xray ? xray_picture(&drawing, o->mu, job->stage.scene)
+                             : trace(&drawing, &job->stage);
     if (status == 0)
         status = picture_write(&picture, out);
     picture_free(&picture);

@@ -80,12 +80,10 @@ static int read_paint(const struct option *o, const char *value, void *place)
 
 static int read_xray(const struct option *o, const char *value, void *place)
 {
-    struct xray *xray = place;
-    xray->scale = strcmp(value, "auto") == 0     ? XRAY_AUTO
-                  : strcmp(value, "linear") == 0 ? XRAY_LINEAR
-                                                 : XRAY_GIVEN;
-    return check_value(
-        o, value, xray->scale != XRAY_GIVEN || read_positive(value, &xray->mu));
+    double *mu = place;
+    *mu = 0;
+    return check_value(o, value,
+                       strcmp(value, "auto") == 0 || read_positive(value, mu));
 }
 
 /* A viewer refuses a PNG file with the name of another format. */
@@ -149,9 +147,9 @@ static const struct option option_table[] = {
      "#rrggbb below the scene, or none (default)"},
     {"background", "HOW", read_paint, AT(background), backgrounds, 0,
      OF_SURFACES, "sky (default), #rrggbb or none: transparent"},
-    {"xray", "HOW", read_xray, AT(xray), "MU, auto or linear", 0, 0,
-     "grey, by the length inside the solids: MU for\n"
-     "exp(-MU length), auto for a fitting MU, or linear"},
+    {"xray", "MU", read_xray, AT(mu), "MU or auto", 0, 0,
+     "grey, by the length inside the solids:\n"
+     "exp(-MU length); auto for a fitting MU"},
     {"ends", "WORD", read_word, AT(ends), ends_words, 0, 0,
      "the ends of shapes whose records do not state them"},
     {"swc", "FORM", read_word, AT(swc), swc_forms, 0, 0,
@@ -181,6 +179,7 @@ static int settle(struct options *o, char **argv, int files)
     v->has_eye = is_given(o, "eye");
     v->has_target = is_given(o, "look-at");
     v->has_from = is_given(o, "from");
+    o->has_xray = is_given(o, "xray");
     v->aspect = (double)o->size[0] / o->size[1];
     v->rows = o->size[1];
     if (v->has_from && v->from.v[0] == 0 && v->from.v[1] == 0 &&
@@ -195,7 +194,7 @@ static int settle(struct options *o, char **argv, int files)
     }
     if (v->has_target && !v->has_eye)
         return usage("--look-at needs --eye");
-    if (o->xray.scale != XRAY_NONE && surface_option(o))
+    if (o->has_xray && surface_option(o))
         return usage("--xray and --%s exclude each other", surface_option(o));
     if (v->has_from && v->has_eye)
         return usage("--from and --eye exclude each other");

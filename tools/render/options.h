@@ -7,9 +7,8 @@
 #include <stdint.h>
 
 #include "colours.h"
-#include "light.h"
+#include "picture.h"
 #include "view.h"
-#include "xray.h"
 
 /* A word of an option, by its number; the last word stands for a colour. */
 struct paint {
@@ -34,7 +33,8 @@ struct options {
     int shading;            /* enum shading */
     struct paint colouring; /* enum colouring */
     struct paint ground, background;
-    struct xray xray;
+    int has_xray;
+    double mu; /* of an X-ray; 0: auto */
 
     const char *about; /* help or version, to print instead; or NULL */
 };

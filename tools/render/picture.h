@@ -1,10 +1,15 @@
 /*
- * picture.h - computes rows of pixels, and writes them to a PNG file
+ * picture.h - draws the rows of a picture, of light or as an X-ray, and writes it
+ * to a PNG file
  */
 #ifndef CYLINT_PICTURE_H
 #define CYLINT_PICTURE_H
 
+#include <stdint.h>
+
+#include "cylint_scene.h"
 #include "output.h"
+#include "vector.h"
 
 struct picture {
     int width, height;
@@ -36,5 +41,46 @@ int picture_make(struct picture *picture, int width, int height, int channels);
 int picture_write(const struct picture *picture, struct output *out);
 
 void picture_free(struct picture *picture);
+
+/* --------------------------------------------------------------- light -- */
+
+enum shading {
+    SHADE_LIGHT, /* sun with shadows, and the visible sky */
+    SHADE_PLAIN, /* by the angle to the viewer; no further rays */
+    SHADE_NORMAL /* the normal's coordinates as red, green and blue */
+};
+
+/* The background, from the picture's upper edge to its lower one. */
+struct backdrop {
+    int is_transparent;
+    struct vector top, bottom;
+};
+
+/* The scene and its light. */
+struct stage {
+    const cylint_scene *scene;
+    size_t count;            /* the number of shapes; the ground is the last */
+    const uint32_t *colours; /* of shapes, 0xrrggbb */
+    int has_solids; /* made of several shapes: their first boundaries are drawn */
+    int has_ground;
+    struct vector middle; /* of the scene without the ground */
+    double size;
+    enum shading shading;
+    struct vector sun; /* unit vector towards it */
+    struct vector up;  /* unit vector */
+    struct backdrop backdrop;
+};
+
+/* Fills the picture.  Returns 0 or an exit status. */
+int trace(const struct drawing *drawing, const struct stage *stage);
+
+/* -------------------------------------------------------------- X-rays -- */
+
+/* Fills a grey picture of 16 bits and its note: a pixel is exp(-mu length), where
+ * length is the mean of those of its rays.  mu 0: it is ln 2 divided by the mean of
+ * the lengths of all pixels, without those that are 0 or infinite, so a pixel with
+ * the mean length is half as bright as an empty one.  Returns 0 or an exit status. */
+int xray_picture(const struct drawing *drawing, double mu,
+                 const cylint_scene *scene);
 
 #endif

@@ -1,14 +1,17 @@
 /*
  * xray.c - a picture of how much of each ray is inside the scene's solids
  *
- * The scale is computed after all lengths.
+ * The length of a ray is that of its pieces inside the union of all solids, in the
+ * scene's units: places in several solids count once.  The scale is computed after
+ * all lengths.
  */
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "picture.h"
 #include "report.h"
 #include "scene.h"
-#include "xray.h"
+#include "view.h"
 
 static const double LN_2 = 0.6931471805599453;
 
@@ -58,63 +61,38 @@ static int measure_row(const struct drawing *d, const void *rays, int y)
 
 /* --------------------------------------------------------------- scale -- */
 
-/* Over the lengths that are finite and not 0; both 0 if there are none. */
-struct summary {
-    double mean, largest;
-};
-
 /* lint: out_of_memory() is not 0, so lengths were allocated */
-static struct summary summary_of(const struct rays *rays)
+/* The mean of the lengths that are finite and not 0; 0 if there are none. */
+static double mean_length(const struct rays *rays)
 {
-    const double *lengths = rays->lengths;
-    struct summary s = {0, 0};
-    double sum = 0, n = 0;
+    double mean = 0, n = 0;
     for (size_t p = 0; p < rays->pixels; p++)
-        if (lengths[p] > s.largest && lengths[p] < HUGE_VAL)
-            s.largest = lengths[p];
-    for (size_t p = 0; p < rays->pixels; p++) {
-        if (lengths[p] > 0 && lengths[p] < HUGE_VAL) {
-            sum += lengths[p] / s.largest;
-            n++;
-        }
-    }
-    s.mean = n > 0 ? s.largest * (sum / n) : 0;
-    return s;
+        if (rays->lengths[p] > 0 && rays->lengths[p] < HUGE_VAL)
+            mean += (rays->lengths[p] - mean) / ++n;
+    return mean;
 }
 
-/* The lengths 0 and infinity do not depend on the scale, which may then be 0. */
-static double brightness(const struct xray *how, double largest, double length)
-{
-    if (how->scale == XRAY_LINEAR)
-        return length > 0 ? fmin(length / largest, 1) : 0;
-    return length > 0 ? exp(-how->mu * length) : 1;
-}
-
-/* Writes the pixels, and to the note what they show. */
-static void write_pixels(struct picture *picture, const struct xray *how,
+/* Writes the pixels, and to the note what they show.  Whatever mu, a length of 0 is
+ * white and infinity is black. */
+static void write_pixels(struct picture *picture, double mu,
                          const struct rays *rays)
 {
-    const struct summary s = summary_of(rays);
-    struct xray used = *how;
-    if (how->scale == XRAY_LINEAR) {
-        snprintf(picture->note, sizeof picture->note, "65535 length / %.17g",
-                 s.largest);
-    } else {
-        if (how->scale == XRAY_AUTO)
-            used.mu = s.mean > 0 ? LN_2 / s.mean : 1;
-        snprintf(picture->note, sizeof picture->note,
-                 "65535 exp(-%.17g length)", used.mu);
+    if (mu == 0) {
+        const double mean = mean_length(rays);
+        mu = mean > 0 ? LN_2 / mean : 1;
     }
+    snprintf(picture->note, sizeof picture->note, "65535 exp(-%.17g length)",
+             mu);
     for (size_t p = 0; p < rays->pixels; p++) {
-        const double share = brightness(&used, s.largest, rays->lengths[p]);
+        const double length = rays->lengths[p];
+        const double share = length > 0 ? exp(-mu * length) : 1;
         const unsigned value = (unsigned)(65535 * share + 0.5);
         picture->pixels[2 * p] = (unsigned char)(value >> 8);
         picture->pixels[2 * p + 1] = (unsigned char)(value & 0xff);
     }
 }
 
-int xray_picture(const struct drawing *d, const struct xray *how,
-                 const cylint_scene *scene)
+int xray_picture(const struct drawing *d, double mu, const cylint_scene *scene)
 {
     const size_t pixels =
         (size_t)d->picture->width * (size_t)d->picture->height;
@@ -123,7 +101,7 @@ int xray_picture(const struct drawing *d, const struct xray *how,
     const int status =
         rays.lengths ? draw_rows(d, measure_row, &rays) : out_of_memory();
     if (status == 0)
-        write_pixels(d->picture, how, &rays);
+        write_pixels(d->picture, mu, &rays);
     free(rays.lengths);
     return status;
 }
