@@ -60,51 +60,47 @@ static const char *set_directions(struct view *view, struct vector forward,
 /*
  * A point p lies between the left and the right plane through the eye e if
  * (p - e).(+-right - h forward) <= 0, where h is half the picture's width at the
- * distance 1.  Let m be the maximum of p.(...) over the scene, for each sign: then
- * e.(...) >= m.  The sum of the two bounds how far forward e may be; the difference
- * gives its place between the planes.
+ * distance 1, or 0 for parallel rays.  Let m be the maximum of p.(...) over the scene,
+ * for each sign: then e.(...) >= m.  The difference of the two gives the eye's place
+ * between the planes.  Their sum, *size, is that of the scene between parallel planes;
+ * divided by -2 h it bounds how far forward e may be.
  */
 static struct vector between_edges(const struct boxes *boxes,
                                    struct vector right, struct vector forward,
-                                   double half, double *most_forward)
+                                   double half, double *size)
 {
     const struct vector planes[2] = {plus(right, -half, forward),
                                      plus(times(-1, right), -half, forward)};
     double most[2];
     for (int k = 0; k < 2; k++)
         most[k] = reach(boxes, planes[k]) - dot(planes[k], boxes->middle);
-    *most_forward = fmin(*most_forward, -(most[0] + most[1]) / (2 * half));
+    *size = most[0] + most[1];
     return times(0.5 * (most[0] - most[1]), right);
 }
 
-static void place_eye(struct view *view, const struct boxes *boxes)
+/* A parallel picture is as wide as the scene.  Its eye is the scene's size before it,
+ * so that rounding puts it behind no shape. */
+static void place_eye(struct view *view, double aspect,
+                      const struct boxes *boxes)
 {
     /* the margin widens the scene */
-    const double w = view->half_width / MARGIN, h = view->half_height / MARGIN;
-    double forward = HUGE_VAL;
+    const double w = view->is_parallel ? 0 : view->half_width / MARGIN;
+    const double h = view->is_parallel ? 0 : view->half_height / MARGIN;
+    double width, height, forward;
     const struct vector across =
-        between_edges(boxes, view->right, view->forward, w, &forward);
+        between_edges(boxes, view->right, view->forward, w, &width);
     const struct vector up =
-        between_edges(boxes, view->up, view->forward, h, &forward);
+        between_edges(boxes, view->up, view->forward, h, &height);
+    if (view->is_parallel) {
+        view->half_height = 0.5 * MARGIN * fmax(height, width / aspect);
+        view->half_width = aspect * view->half_height;
+        forward = -reach(boxes, times(-1, view->forward)) - boxes->size -
+                  dot(view->forward, boxes->middle);
+    } else {
+        forward = -fmax(width / (2 * w), height / (2 * h));
+    }
     view->eye = plus(plus(plus(boxes->middle, 1, across), 1, up), forward,
                      view->forward);
-}
-
-/* The picture is as wide as the scene.  The eye is the scene's size before it, so
- * that rounding puts it behind no shape. */
-static void place_parallel_eye(struct view *view, double aspect,
-                               const struct boxes *boxes)
-{
-    const double right = reach(boxes, view->right);
-    const double left = reach(boxes, times(-1, view->right));
-    const double up = reach(boxes, view->up);
-    const double down = reach(boxes, times(-1, view->up));
-    const double back = reach(boxes, times(-1, view->forward));
-    view->half_height = 0.5 * MARGIN * fmax(up + down, (right + left) / aspect);
-    view->half_width = aspect * view->half_height;
-    view->eye = plus(plus(times(0.5 * (right - left), view->right),
-                          0.5 * (up - down), view->up),
-                     -(back + boxes->size), view->forward);
 }
 
 static int has_finite_size(const struct view *view)
@@ -139,10 +135,8 @@ const char *view_of_scene(struct view *view, const struct viewing *camera,
     const char *fault = set_directions(view, times(-1, backward), up);
     if (fault)
         return fault;
-    if (camera->is_parallel)
-        place_parallel_eye(view, camera->aspect, boxes);
-    else if (!camera->has_eye)
-        place_eye(view, boxes);
+    if (camera->is_parallel || !camera->has_eye)
+        place_eye(view, camera->aspect, boxes);
     if (camera->has_eye)
         view->eye = camera->eye;
     if (!is_finite(view->eye) || !has_finite_size(view))
