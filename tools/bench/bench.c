@@ -1,14 +1,13 @@
 /*
  * bench.c - the registry of cases and the timing loop
  *
- *     bench [-s SECONDS] [-n MOST] [-k KERNELS] [-o TEXT] CASE...
+ *     bench [-s SECONDS] [-n MOST] [-o TEXT] CASE...
  *
  * Each contest takes SECONDS (0.3), but at least three turns of each contestant.
  * Scenes have at most MOST shapes; `stages` takes MOST cases of each family.
- * KERNELS: only these, in place of all that the processor runs.  TEXT: only
- * subjects that contain it; the status is 4 if no CASE has one.  Without a CASE
- * the program prints their names.  Output is CSV; a ratio below 1 means that the
- * library is faster.
+ * TEXT: only subjects that contain it; the status is 4 if no CASE has one.  Without
+ * a CASE the program prints their names.  Output is CSV; a ratio below 1 means that
+ * the library is faster.
  *
  * A new case needs a line in the table, a function in bench.h and an object in
  * bench.mk.
@@ -46,8 +45,8 @@ enum { CASES = sizeof cases / sizeof *cases, ROUNDS = 3, NO_SUBJECT = 4 };
 
 static struct {
     double seconds, most;
-    const char *kernels, *only, *name;
-} user = {0.3, 0, NULL, "", NULL};
+    const char *only, *name;
+} user = {0.3, 0, "", NULL};
 
 static volatile double sink;
 static int rows_printed;
@@ -156,10 +155,7 @@ static int list_contestants(const struct contest *c, struct contestant *list)
 static int takes_part(const struct contest *c, const struct contestant *a,
                       int is_best)
 {
-    if (!a->kernels)
-        return c->rival != NULL;
-    return user.kernels ? !strcmp(a->kernels, user.kernels)
-                        : is_best || !c->only_best_kernels;
+    return a->kernels ? is_best || !c->only_best_kernels : c->rival != NULL;
 }
 
 /* Writes the ns of a question: of the rival, then of the library with each of its
@@ -187,26 +183,16 @@ static void race(const struct contest *c, int is_shuffled,
     free(order);
 }
 
-void compete(const struct contest *c)
+double compete(const struct contest *c)
 {
-    double times[1 + KERNELS_MOST];
+    double times[1 + KERNELS_MOST] = {0};
     for (int is_shuffled = 0;
          is_shuffled <= !!c->is_shuffled && is_wanted(c->subject);
          is_shuffled++) {
         race(c, is_shuffled, times);
         print_row(c, is_shuffled, "ns", times[0], times + 1);
     }
-}
-
-double ns_of(const struct contest *c)
-{
-    struct contest ours = *c;
-    double times[1 + KERNELS_MOST], ns = NAN;
-    ours.only_best_kernels = 1;
-    race(&ours, 0, times);
-    for (int k = 1; k <= kernels_count(); k++)
-        ns = times[k] == times[k] ? times[k] : ns;
-    return ns;
+    return times[kernels_count()];
 }
 
 /* ------------------------------------------------------------- the lines -- */
@@ -338,17 +324,15 @@ static double number_of(const char *text)
 
 int main(int argc, char **argv)
 {
-    for (int option; (option = getopt(argc, argv, "s:n:k:o:")) != -1;) {
-        require(option != '?', "options are -s -n -k -o");
+    for (int option; (option = getopt(argc, argv, "s:n:o:")) != -1;) {
+        require(option != '?', "options are -s -n -o");
         if (option == 's')
             user.seconds = number_of(optarg);
         else if (option == 'n')
             user.most = number_of(optarg);
         else
-            *(option == 'k' ? &user.kernels : &user.only) = optarg;
+            user.only = optarg;
     }
-    require(!user.kernels || cylint_use_kernels(user.kernels),
-            "this processor runs no such kernels");
     for (int at = optind; at < argc; at++)
         require(case_of(argv[at]) < CASES,
                 "no such CASE; without one their names are printed");

@@ -49,12 +49,9 @@ struct contest {
     int only_best_kernels; /* measured with the best kernels only */
 };
 
-/* Holds a contest and prints a line for each order and each of the kernels. */
-void compete(const struct contest *c);
-
-/* Holds a contest that has no rival, with the best kernels or those of the option
- * -k, and prints nothing.  Returns the ns of a question. */
-double ns_of(const struct contest *c);
+/* Holds a contest and prints a line for each order.  Returns the printed figure of
+ * the best kernels. */
+double compete(const struct contest *c);
 
 /* Prints another figure, of both or, if `theirs` is NaN, of the library
  * alone. */

@@ -49,9 +49,16 @@ BENCH_TURN(by_pack, cylint_hit hit,
 BENCH_TURN(by_scene, cylint_hit hit,
            cylint_scene_nearest(in.scene, &in.line[i], CYLINT_WANT_T, &hit))
 
-static double ns_of_turn(bench_turn *turn, int questions)
+/* The ns of a line or a preparation, printed by `units`. */
+static double ns_of(const char *question, bench_turn *turn, int questions,
+                    double units)
 {
-    return ns_of(&(struct contest){.ours = turn, .questions = questions});
+    return units * compete(&(struct contest){.subject = in.sticks->name,
+                                             .question = question,
+                                             .ours = turn,
+                                             .questions = questions,
+                                             .units = units,
+                                             .only_best_kernels = 1});
 }
 
 /* Infinite if the line takes longer with the preparation. */
@@ -69,19 +76,12 @@ static void compare_calls(const struct sticks *s)
     in.sticks = s;
     in.memory = allocate(cylint_pack_bytes(s->n));
     draw_incoherent(LINES, in.line);
-    const double pack = ns_of_turn(packs, 1), scene = ns_of_turn(scenes, 1),
-                 shapes_line = ns_of_turn(by_shapes, lines),
-                 pack_line = ns_of_turn(by_pack, lines),
-                 scene_line = ns_of_turn(by_scene, LINES);
-    print_figure(s->name, "make a pack, a shape", NULL, NULL, "ns", NAN,
-                 pack / n);
-    print_figure(s->name, "make a scene, a shape", NULL, NULL, "ns", NAN,
-                 scene / n);
-    print_figure(s->name, "a line, a shape", NULL, NULL, "ns", NAN,
-                 shapes_line / n);
-    print_figure(s->name, "a line, a shape of a pack", NULL, NULL, "ns", NAN,
-                 pack_line / n);
-    print_figure(s->name, "a line, a scene", NULL, NULL, "ns", NAN, scene_line);
+    const double pack = ns_of("make a pack, a shape", packs, 1, n),
+                 scene = ns_of("make a scene, a shape", scenes, 1, n),
+                 shapes_line = ns_of("a line, a shape", by_shapes, lines, n),
+                 pack_line =
+                     ns_of("a line, a shape of a pack", by_pack, lines, n),
+                 scene_line = ns_of("a line, a scene", by_scene, LINES, 1);
     print_lines("a pack, not shapes", pack, shapes_line, pack_line);
     print_lines("a scene, not a pack", scene - pack, pack_line, scene_line);
     print_lines("a scene, not shapes", scene, shapes_line, scene_line);
