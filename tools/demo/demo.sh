@@ -13,16 +13,6 @@ cylint=${CYLINT:-$build/cylint}
 out=$build/demo
 columns=400 rows=64
 
-# Seconds since 1970, with a fraction where `date` can.
-now()
-{
-    fraction=$(date +%N)
-    case $fraction in
-    *[!0-9]* | '') date +%s ;;
-    *) date +%s.%N ;;
-    esac
-}
-
 mkdir -p "$out"
 $awk -v trees=18 -f "$here/forest.awk" > "$out/forest.scene"
 $awk -v height=1.6 -v azimuth=120 -v lowest=-13 -v highest=47 \
@@ -40,13 +30,12 @@ echo "What does each ray hit, at which distance, on which part, and at which hei
 echo "above the ground?"
 echo
 echo "\$ cylint -s forest.scene -f t,part,z,label rays.txt > answers.txt"
-started=$(now)
+started=$(date +%s.%N)
 "$cylint" -s "$out/forest.scene" -f t,part,z,label "$out/rays.txt" \
     > "$out/answers.txt"
-ended=$(now)
-seconds=$($awk -v a="$started" -v b="$ended" 'BEGIN { printf "%.3f", b - a }')
+ended=$(date +%s.%N)
 $awk -v columns=$columns -v rows=$rows -v wide=4 -v high=2 \
-    -v seconds="$seconds" -f "$here/report.awk" "$out/answers.txt"
+    -v started="$started" -v ended="$ended" -f "$here/report.awk" "$out/answers.txt"
 
 # A picture in colours, if cylint-render was built.
 [ -x "$build/cylint-render" ] || exit 0

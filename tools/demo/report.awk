@@ -4,7 +4,8 @@
 # label is `spruce7-stem #rrggbb`.  Prints the first hit on each part of each kind of
 # shape; then an image, whose characters show the nearest hit of wide x high rays: a
 # tree by its range, near to far in `shades`, the ground as a dot, the sky as a blank.
-# `seconds` is the time of the command, 0 if the clock is too coarse.
+# The command ran from `started` to `ended`, seconds with a fraction where `date` can;
+# of a text such as 1764460800.N awk reads the number.
 
 BEGIN {
     shades = "@#%*+=-:"
@@ -90,8 +91,9 @@ function legend(   i, step, text)
     return "range in m from:" text "    . ground"
 }
 
-function time()
+function time(   seconds)
 {
+    seconds = ended - started
     if (seconds <= 0)
         return "too short for this clock"
     return sprintf("%.2f s, %.0f rays/s, reading and writing text", seconds,
