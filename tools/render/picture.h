@@ -79,7 +79,8 @@ int trace(const struct drawing *drawing, const struct stage *stage);
 /* Fills a grey picture of 16 bits and its note: a pixel is exp(-mu length), where
  * length is the mean of those of its rays.  mu 0: it is ln 2 divided by the mean of
  * the lengths of all pixels, without those that are 0 or infinite, so a pixel with
- * the mean length is half as bright as an empty one.  Returns 0 or an exit status. */
+ * the mean length is half as bright as an empty one.  Returns 0 or an exit
+ * status. */
 int xray_picture(const struct drawing *drawing, double mu,
                  const cylint_scene *scene);
 

@@ -60,10 +60,10 @@ static const char *set_directions(struct view *view, struct vector forward,
 /*
  * A point p lies between the left and the right plane through the eye e if
  * (p - e).(+-right - h forward) <= 0, where h is half the picture's width at the
- * distance 1, or 0 for parallel rays.  Let m be the maximum of p.(...) over the scene,
- * for each sign: then e.(...) >= m.  The difference of the two gives the eye's place
- * between the planes.  Their sum, *size, is that of the scene between parallel planes;
- * divided by -2 h it bounds how far forward e may be.
+ * distance 1, or 0 for parallel rays.  Let m be the maximum of p.(...) over the
+ * scene, for each sign: then e.(...) >= m.  The difference of the two gives the
+ * eye's place between the planes.  Their sum, *size, is that of the scene between
+ * parallel planes; divided by -2 h it bounds how far forward e may be.
  */
 static struct vector between_edges(const struct boxes *boxes,
                                    struct vector right, struct vector forward,
@@ -78,8 +78,8 @@ static struct vector between_edges(const struct boxes *boxes,
     return times(0.5 * (most[0] - most[1]), right);
 }
 
-/* A parallel picture is as wide as the scene.  Its eye is the scene's size before it,
- * so that rounding puts it behind no shape. */
+/* A parallel picture is as wide as the scene.  Its eye is the scene's size before
+ * it, so that rounding puts it behind no shape. */
 static void place_eye(struct view *view, double aspect,
                       const struct boxes *boxes)
 {
