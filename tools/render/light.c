@@ -108,12 +108,9 @@ static struct vector from_sun(struct tracer *tracer, const struct place *at,
                               uint32_t i, uint32_t seed)
 {
     const struct stage *stage = tracer->stage;
-    double disc[2];
-    sample_disc(i, hash_words(seed, FOR_SUN), disc);
-    const struct vector u = perpendicular(stage->sun);
-    const struct vector v = cross(stage->sun, u);
-    const struct vector d = unit(plus(plus(stage->sun, SUN_RADIUS * disc[0], u),
-                                      SUN_RADIUS * disc[1], v));
+    const struct vector disc =
+        sample_disc(i, hash_words(seed, FOR_SUN), stage->sun);
+    const struct vector d = unit(plus(stage->sun, SUN_RADIUS, disc));
     const double cosine = dot(d, at->facing);
     return cosine > 0 && is_free(tracer, at, d) ? times(cosine, SUN)
                                                 : vector(0, 0, 0);
@@ -126,13 +123,6 @@ static struct vector from_sky(struct tracer *tracer, const struct place *at,
         sample_hemisphere(i, hash_words(seed, FOR_SKY), at->facing);
     const struct vector light = sky(tracer->stage, d);
     return is_free(tracer, at, d) ? light : times(BOUNCE, light);
-}
-
-static struct vector lit(struct tracer *tracer, const struct place *at,
-                         struct vector colour, uint32_t i, uint32_t seed)
-{
-    return filtered(colour, plus(from_sun(tracer, at, i, seed), 1,
-                                 from_sky(tracer, at, i, seed)));
 }
 
 /* ------------------------------------------------------------- shading -- */
@@ -150,7 +140,8 @@ static struct vector shaded(struct tracer *tracer, const struct place *at,
     case SHADE_PLAIN:
         return times(-dot(unit(d), at->facing), colour);
     default:
-        return lit(tracer, at, colour, i, seed);
+        return filtered(colour, plus(from_sun(tracer, at, i, seed), 1,
+                                     from_sky(tracer, at, i, seed)));
     }
 }
 

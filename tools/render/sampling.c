@@ -69,7 +69,7 @@ void sample_square(uint32_t i, uint32_t seed, double point[2])
 }
 
 /* Maps squares about the centre to circles [Shirley & Chiu 1997]. */
-void sample_disc(uint32_t i, uint32_t seed, double point[2])
+struct vector sample_disc(uint32_t i, uint32_t seed, struct vector n)
 {
     const double quarter = 0.78539816339744831; /* pi / 4 */
     double square[2];
@@ -80,18 +80,13 @@ void sample_disc(uint32_t i, uint32_t seed, double point[2])
     const double turn = radius == 0 ? 0
                         : is_wide   ? quarter * (y / x)
                                     : quarter * (2 - x / y);
-    point[0] = radius * cos(turn);
-    point[1] = radius * sin(turn);
+    const struct vector u = perpendicular(n);
+    return plus(times(radius * cos(turn), u), radius * sin(turn), cross(n, u));
 }
 
 /* Lifts points of the disc to the hemisphere above it. */
 struct vector sample_hemisphere(uint32_t i, uint32_t seed, struct vector n)
 {
-    double disc[2];
-    sample_disc(i, seed, disc);
-    const double height_squared = 1 - disc[0] * disc[0] - disc[1] * disc[1];
-    const struct vector u = perpendicular(n);
-    return plus(plus(times(height_squared > 0 ? sqrt(height_squared) : 0, n),
-                     disc[0], u),
-                disc[1], cross(n, u));
+    const struct vector disc = sample_disc(i, seed, n);
+    return plus(disc, sqrt(fmax(0, 1 - dot(disc, disc))), n);
 }

@@ -20,8 +20,9 @@ uint32_t hash_words(uint32_t a, uint32_t b);
 /* Point `i` of the sequence `seed`, both coordinates in [0, 1). */
 void sample_square(uint32_t i, uint32_t seed, double point[2]);
 
-/* The same, mapped to the disc of radius 1 with equal areas. */
-void sample_disc(uint32_t i, uint32_t seed, double point[2]);
+/* The same, mapped with equal areas to the disc of radius 1 about 0 that is
+ * perpendicular to the unit vector n. */
+struct vector sample_disc(uint32_t i, uint32_t seed, struct vector n);
 
 /* A unit vector within 90 degrees of the unit vector n, with a density in
  * proportion to its cosine with n. */
