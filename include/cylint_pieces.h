@@ -101,12 +101,12 @@ CYLINT_API int cylint_solid_pieces(const cylint_shape *shapes,
  * from the half plane through the axis and sector[0] to that through sector[1],
  * right-handed about the axis.  Up to half a turn it is within two half-spaces,
  * beyond that within one or the other.  Their planes contain p0; their normals are
- * positive multiples of the cross products of the axis and the directions, each
- * component within 0.501 units in its last place, if the thread rounds to nearest.
- * So the planes contain the axis except for that rounding, and exactly if the axis
- * lies along a coordinate or the products have no more than 53 bits.  Here the axis
- * is the double nearest to p1 - p0.  A component of the axis or a direction that is
- * below 2^-400 of the largest one may count as 0.
+ * positive multiples of the cross products sector[0] x axis and axis x sector[1],
+ * each component within 0.501 units in its last place, if the thread rounds to
+ * nearest.  So the planes contain the axis except for that rounding, and exactly if
+ * the axis lies along a coordinate or the products have no more than 53 bits.  Here
+ * the axis is the double nearest to p1 - p0.  A component of the axis or a
+ * direction that is below 2^-400 of the largest one may count as 0.
  *
  * Fails as the constructors do.  EDIRECTION: a direction is parallel to the axis,
  * or both are in one half plane that begins at the axis.
