@@ -6,9 +6,11 @@
  * bounds that the kernels use.  Of elliptic kinds the height over a tangent plane
  * and over an end in pairs and in triples, with the bound times the sizes of the
  * terms; and the local coordinates in doubles with the bounds that features depend
- * on.  Both are compared with determinants in triples.  CYLINT_CASES is the number
- * of elliptic cases of each family, of others a tenth; CYLINT_SEED changes the
- * points.
+ * on.  Both are compared with determinants in triples.  Bounds add up all
+ * roundings, so errors are far below them; if an error is a larger share of its
+ * bound than here, a term or a factor of the bound is missing.  CYLINT_CASES is the
+ * number of elliptic cases of each family, of others a tenth; CYLINT_SEED changes
+ * the points.
  */
 #define CYLINT_ONE_LANE
 #include <math.h>
@@ -144,6 +146,8 @@ TEST(errors_of_the_half_plane_are_below_their_bounds)
     printf("note: largest errors: z %.2g, rho %.2g, rim %.2g; with heads and "
            "tails z %.2g, rho %.2g of the bounds\n",
            most_z, most_rho, most_rim, most_head_tail_z, most_head_tail_rho);
+    CHECK(most_z < 0x1p-7 && most_rho < 0x1p-6 && most_rim < 0x1p-10);
+    CHECK(most_head_tail_z < 0x1p-3 && most_head_tail_rho < 0x1p-4);
     CHECK(most_rho > 0 && most_head_tail_rho > 0);
 }
 
@@ -287,4 +291,6 @@ TEST(errors_of_elliptic_kinds_are_below_their_bounds)
            most_in_pairs, most_in_triples, most_in_doubles);
     CHECK(most_in_pairs > 0x1p-13 && most_in_triples > 0x1p-15 &&
           most_in_doubles > 0x1p-13);
+    CHECK(most_in_pairs < 0x1p-7 && most_in_triples < 0x1p-11 &&
+          most_in_doubles < 0x1p-2);
 }
