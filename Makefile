@@ -140,10 +140,6 @@ isa.src/bvh/traverse_point-avx2      := $(avx2) -DCYLINT_TRAVERSE_POINT=cylint_t
 isa.src/embree/packet_traverse-avx2  := $(avx2) -DCYLINT_PACKET_TRACE=cylint_packet_trace_avx2
 isa.src/embree/float_filter-fma      := $(avx2) -ffp-contract=fast -fno-math-errno -DCYLINT_ONE_LANE -DCYLINT_FLOAT_FILTER=cylint_float_filter_fma
 isa.src/embree/float_filter-avx2     := $(avx2) -ffp-contract=fast -DCYLINT_FLOAT_FILTER=cylint_float_filter_avx2
-isa.tests/numbers/turn_points-one    := -DCYLINT_ONE_LANE -DTURNS=turns_one
-isa.tests/numbers/turn_points-narrow := $(avx2) -DCYLINT_NARROW -DTURNS=turns_narrow
-isa.tests/numbers/turn_points-avx2   := $(avx2) -DTURNS=turns_avx2
-isa.tests/numbers/turn_points-avx512 := $(avx512) -DTURNS=turns_avx512
 isa_builds := $(if $(X86),$(sort $(patsubst isa.%,%,$(filter isa.%,$(.VARIABLES)))))
 
 # -------------------------------------------------------------- objects --

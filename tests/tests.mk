@@ -39,10 +39,6 @@ needs_mpfr := $(addprefix $(BUILD)/tests/,bounds/test_member_bounds distance/tes
 $(if $(MPFR),,$(needs_mpfr:%=%.o)): $(BUILD)/tests/%.o: tests/support/no_mpfr.c $$(@D)/flags
 	$(call say,CC $<)$(compile) -c -o $@ $<
 
-# turns_of() in every width.
-$(BUILD)/tests/numbers/test_turns: $(patsubst %,$(BUILD)/%.o,tests/numbers/turn_points $(filter tests/numbers/turn_points-%,$(isa_builds)))
-$(BUILD)/tests/numbers/test_turns.o: extra += $(x86)
-
 # --wrap: calls of these functions go to __wrap_ functions of a test.
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
 $(BUILD)/tests/scene/test_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free pthread_create))

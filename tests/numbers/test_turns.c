@@ -2,25 +2,24 @@
  * test_turns.c - turns.h and turns_lanes.h against MPFR
  *
  * Computes the nodes and constants again.  Measures the errors of angles over
- * their bounds: in lanes of every width, with and without fused multiply-add,
- * of exact and of inexact points, and from exact numbers (roots/hit.c) in each
- * rounding mode.  CYLINT_CASES is the number of points.
+ * their bounds: in one lane, of exact and of inexact points, and from exact numbers
+ * (roots/hit.c) in each rounding mode.  library/test_batch.c compares the angles of
+ * all lanes.  CYLINT_CASES is the number of points.
  */
-#include <fenv.h>
+#define CYLINT_ONE_LANE
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
 #include "check.h"
-#include "dispatch.h"
+#include "environment.h"
 #include "numbers/error_bounds.h"
 #include "roots/roots.h"
 #include "numbers/turns_lanes.h"
 #include "draw.h"
 #include "real.h"
-#include "turn_points.h"
 
-enum { BITS = 220, BLOCK = 8192 };
+enum { BITS = 220 };
 
 static double radians(double turns)
 {
@@ -118,6 +117,11 @@ static void near_an_axis(double *x, double *y)
     *y = any_small(400);
 }
 
+typedef struct {
+    pair x, y;
+    double ex, ey;
+} turn_point;
+
 static turn_point any_point(void)
 {
     double x, y;
@@ -195,110 +199,61 @@ static turn_point inexact(turn_point p)
     return q.x.hi == 0 && q.y.hi == 0 ? p : q;
 }
 
-/* --------------------------------------------------------------- lanes -- */
+/* -------------------------------------------------------------- angles -- */
 
-typedef struct {
-    const char *name;
-    turns_of_points *run;
-    double exact, inexact, largest; /* errors over bounds; a bound */
-} lanes_build;
-
-static lanes_build builds[] = {
-    {"plain", turns_plain, 0, 0, 0},
-#ifdef CYLINT_BUILDS_X86
-    {"one lane", turns_one, 0, 0, 0}, {"narrow, fused", turns_narrow, 0, 0, 0},
-    {"avx2", turns_avx2, 0, 0, 0},    {"avx512", turns_avx512, 0, 0, 0},
-#endif
-};
-
-/* How many of them this processor runs. */
-static size_t build_count(void)
+/* The error over its bound; 0 if there is no bound. */
+static double judge_lanes(const turn_point *p, const true_turn *truth,
+                          double *bound)
 {
-#ifdef CYLINT_BUILDS_X86
-    return CYLINT_OF_BUILD(2, 4, 5);
-#else
-    return 1;
-#endif
+    const vpair x = {p->x.hi, p->x.lo}, y = {p->y.hi, p->y.lo};
+    const vpair turn = turns_of(x, y, p->ex, p->ey, bound);
+    const double error = error_of((pair){turn.hi, turn.lo}, truth);
+    if (!CHECK(error <= *bound && turn.hi + turn.lo == turn.hi))
+        REPORT("atan2(%a + %a, %a + %a), errors %a and %a: %a + %a, error %g "
+               "of %g",
+               p->y.hi, p->y.lo, p->x.hi, p->x.lo, p->ey, p->ex, turn.hi,
+               turn.lo, error, *bound);
+    return error > 0 && *bound < 1 ? error / *bound : 0;
 }
 
-static turn_point exact_points[BLOCK], inexact_points[BLOCK];
-static true_turn truth[BLOCK];
-static turn_answer answers[BLOCK];
-
-/* Returns the largest error over its bound. */
-static double worst_of(lanes_build *b, const turn_point *p)
-{
-    double worst = 0;
-    b->run(BLOCK, p, answers);
-    for (int i = 0; i < BLOCK; i++) {
-        const turn_answer *a = answers + i;
-        const double error = error_of(a->turn, truth + i);
-        if (!CHECK(error <= a->error && a->turn.hi + a->turn.lo == a->turn.hi))
-            REPORT("%s: atan2(%a + %a, %a + %a), errors %a and %a: %a + %a, "
-                   "error %g of %g",
-                   b->name, p[i].y.hi, p[i].y.lo, p[i].x.hi, p[i].x.lo, p[i].ey,
-                   p[i].ex, a->turn.hi, a->turn.lo, error, a->error);
-        if (error > 0 && a->error < 1)
-            worst = fmax(worst, error / a->error);
-        if (p == exact_points)
-            b->largest = fmax(b->largest, a->error);
-    }
-    return worst;
-}
-
-/* -------------------------------------------------------- exact numbers -- */
-
-static const int modes[] = {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD,
-                            FE_TOWARDZERO};
-static double worst_exact;
-
-static void judge_exact_numbers(void)
+/* The largest error over its bound of all rounding modes. */
+static double judge_exact_numbers(const turn_point *p, const true_turn *truth)
 {
     static cylint_arena arena;
-    for (int i = 0; i < BLOCK; i++) {
-        const turn_point *p = exact_points + i;
-        for (int m = 0; m < 4; m++) {
-            fesetround(modes[m]);
-            cylint_arena_open(&arena);
-            const exact x = cylint_exact_of_sum(&arena, p->x.hi, p->x.lo),
-                        y = cylint_exact_of_sum(&arena, p->y.hi, p->y.lo);
-            const pair turn =
-                cylint_exact_round(&arena, cylint_angle(&arena, x, y));
-            fesetround(FE_TONEAREST);
-            const double error = error_of(turn, truth + i);
-            if (!CHECK(error <= CYLINT_ANGLE_ERROR * truth[i].head))
-                REPORT("mode %d: atan2(%a + %a, %a + %a): %a + %a", m, p->y.hi,
-                       p->y.lo, p->x.hi, p->x.lo, turn.hi, turn.lo);
-            if (error > 0)
-                worst_exact = fmax(worst_exact, error / truth[i].head);
-        }
+    double worst = 0;
+    for (int m = 0; m < ROUNDINGS; m++) {
+        fesetround(roundings[m]);
+        cylint_arena_open(&arena);
+        const exact x = cylint_exact_of_sum(&arena, p->x.hi, p->x.lo),
+                    y = cylint_exact_of_sum(&arena, p->y.hi, p->y.lo);
+        const pair turn =
+            cylint_exact_round(&arena, cylint_angle(&arena, x, y));
+        fesetround(FE_TONEAREST);
+        const double error = error_of(turn, truth),
+                     bound = CYLINT_ANGLE_ERROR * truth->head;
+        if (!CHECK(error <= bound))
+            REPORT("mode %d: atan2(%a + %a, %a + %a): %a + %a", m, p->y.hi,
+                   p->y.lo, p->x.hi, p->x.lo, turn.hi, turn.lo);
+        worst = fmax(worst, error > 0 ? error / bound : 0);
     }
+    return worst;
 }
 
 TEST(angles_have_their_bounds)
 {
     const uint64_t cases = check_setting("CYLINT_CASES", 1 << 17);
-    for (uint64_t n = 0; n < cases; n += BLOCK) {
-        for (int i = 0; i < BLOCK; i++) {
-            exact_points[i] = any_point();
-            truth[i] = turn_of(exact_points + i);
-            inexact_points[i] = inexact(exact_points[i]);
-        }
-        for (size_t k = 0; k < build_count(); k++) {
-            lanes_build *b = builds + k;
-            b->exact = fmax(b->exact, worst_of(b, exact_points));
-            b->inexact = fmax(b->inexact, worst_of(b, inexact_points));
-        }
-        judge_exact_numbers();
+    double worst[3] = {0, 0, 0}, largest = 0, bound;
+    for (uint64_t n = 0; n < cases; n++) {
+        const turn_point p = any_point();
+        const true_turn truth = turn_of(&p);
+        const turn_point moved = inexact(p);
+        worst[0] = fmax(worst[0], judge_lanes(&p, &truth, &bound));
+        largest = fmax(largest, bound);
+        worst[1] = fmax(worst[1], judge_lanes(&moved, &truth, &bound));
+        worst[2] = fmax(worst[2], judge_exact_numbers(&p, &truth));
     }
-    for (size_t k = 0; k < build_count(); k++) {
-        const lanes_build *b = builds + k;
-        printf("note: %-13s error over its bound: exact points %.3f, inexact "
-               "%.3f; largest bound 2^%.2f\n",
-               b->name, b->exact, b->inexact, log2(b->largest));
-        CHECK(b->exact <= 1 && b->inexact <= 1);
-        CHECK(log2(b->largest) < -72.3);
-    }
-    printf("note: exact numbers, error over its bound: %.3f\n",
-           worst_exact / CYLINT_ANGLE_ERROR);
+    printf("note: error over its bound: exact points %.3f, inexact %.3f, exact "
+           "numbers %.3f; largest bound of exact points 2^%.2f\n",
+           worst[0], worst[1], worst[2], log2(largest));
+    CHECK(log2(largest) < -72.3);
 }
