@@ -229,24 +229,39 @@ INLINE unsigned limits_at_origin(const cylint_line *line)
            (cylint_sign(line->tmax) == 0 ? 2u : 0);
 }
 
-/* The lanes of `needed` whose root is exactly that of `exact`: its value lies
- * within the bounds, it is a root of the surface, and the other root of that
- * surface, which is as far away as the slope over the curvature, is farther than
- * both can be from each other. */
-INLINE unsigned roots_at(const root *exact, const root *r, const estimate *at,
-                         unsigned needed, const cylint_question *q, int solid)
+/* A root that is exactly value + tail.  Only such roots have the error 0.  The tail
+ * is at most half a step of the doubles, so no double lies between. */
+INLINE root exact_root(vd value, vd tail)
 {
-    const vd distance = v_sum_of(v_set(2 * CYLINT_ROUNDING),
-                                 v_abs(exact->value), r->high - r->low),
+    return (root){value, tail, v_set(0), m_from(3)};
+}
+
+/* x where m, else y. */
+INLINE root root_if(vm m, const root *x, const root *y)
+{
+    return (root){
+        v_select(m, x->value, y->value), v_select(m, x->tail, y->tail),
+        v_select(m, x->error, y->error), m_if(m, x->nearest, y->nearest)};
+}
+
+/* Writes the root `exact` to those lanes of `needed` whose root it is: it lies
+ * within the error, it is a root of the surface, and the other root of that surface,
+ * which is as far away as the slope over the curvature, is farther than both can be
+ * from each other. */
+INLINE void try_root(root *r, const root *exact, const estimate *at,
+                     unsigned needed, const cylint_question *q, int solid)
+{
+    const vd off = (exact->value - r->value) + (exact->tail - r->tail),
+             distance = v_sum_of(v_set(2 * CYLINT_ROUNDING),
+                                 v_abs(exact->value), v_set(4) * r->error),
              reach =
                  v_sum_of(v_set(4) * at->curvature, distance, at->slope_error);
-    const vm near =
-        m_and(v_le(r->low, exact->value), v_le(exact->value, r->high));
+    const vm near = v_le(v_abs(off), v_set(2) * r->error);
     unsigned found =
         needed & m_bits(m_and(near, v_lt(reach, v_abs(at->slope))));
     double t[2], tail[2];
     if (!found || cylint_solid_is_hull(solid))
-        return 0;
+        return;
     v_store(t, exact->value);
     v_store(tail, exact->tail);
     EACH(i, 2) {
@@ -259,24 +274,15 @@ INLINE unsigned roots_at(const root *exact, const root *r, const estimate *at,
                                 surface) != 0)
             found &= ~(1u << i);
     }
-    return found;
+    *r = root_if(m_from(found), exact, r);
 }
 
-/* A root that is exactly value + tail; the tail is at most half a step of the
- * doubles, so no double lies between. */
-INLINE root exact_root(vd value, vd tail)
-{
-    return (root){value, tail, v_set(0), value, value, m_from(3)};
-}
-
-/* The roots of planes of coordinates, if the line's direction is a power of two
- * there: then they are differences of two doubles.  Returns the lanes of these. */
-ASIDE vm exact_roots_of_planes(root *to, const cylint_question *q)
+/* Writes the roots of planes of coordinates, if the line's direction is a power of
+ * two there: then they are differences of two doubles. */
+ASIDE void set_roots_of_planes(root *r, const cylint_question *q)
 {
     const source from = {q->shape, q->line};
     const vd none = v_set(0);
-    vm exact = m_from(0);
-    *to = exact_root(none, none);
     for (int i = 0; i < 3; i++) {
         const double o = q->line->o[i], d = q->line->d[i];
         vm is_fixed;
@@ -288,11 +294,11 @@ ASIDE vm exact_roots_of_planes(root *to, const cylint_question *q)
             cylint_sign(q->line->d_lo[i]) != 0 || cylint_too_small(o))
             continue;
         const vpair rise = v_two_sum(plane.hi, v_set(-o));
-        exact = here;
-        *to = exact_root(v_sum_of(rise.hi, v_set(1 / d), none), /* no -0 */
-                         rise.lo * v_set(1 / d));
+        const root exact =
+            exact_root(v_sum_of(rise.hi, v_set(1 / d), none), /* no -0 */
+                       rise.lo * v_set(1 / d));
+        *r = root_if(here, &exact, r);
     }
-    return exact;
 }
 
 /* The number near value + tail that has up to 24 digits more than a double.  Data
@@ -303,36 +309,17 @@ INLINE vpair short_pair(vd value, vd tail)
     return v_two_sum(value, (tail + coarse) - coarse);
 }
 
-/* x where m, else y. */
-INLINE root root_if(vm m, const root *x, const root *y)
+/* The hits; of exact roots all are decided.  The domain is closed, and its ends are
+ * 0 or not tiny. */
+INLINE hits exact_hits(const root *r, const local_line *l, vm present)
 {
-    return (root){
-        v_select(m, x->value, y->value), v_select(m, x->tail, y->tail),
-        v_select(m, x->error, y->error), v_select(m, x->low, y->low),
-        v_select(m, x->high, y->high),   m_if(m, x->nearest, y->nearest)};
-}
-
-/* The hits, of which those in the lanes have exact roots. */
-INLINE hits with_exact_hits(hits h, const root *r, unsigned lanes,
-                            const cylint_line *line)
-{
-    double t[2], tail[2];
-    unsigned in = 0;
-    if (!lanes)
-        return h;
-    v_store(t, r->value);
-    v_store(tail, r->tail);
-    EACH(i, 2) {
-        const int after_first =
-            cylint_less(line->tmin, t[i]) ||
-            (!cylint_less(t[i], line->tmin) && tail[i] >= 0);
-        const int before_last =
-            cylint_less(t[i], line->tmax) ||
-            (!cylint_less(line->tmax, t[i]) && tail[i] <= 0);
-        in |= (unsigned)(after_first && before_last) << i;
-    }
-    return (hits){m_or(m_and_not(h.hit, m_from(lanes)), m_from(in & lanes)),
-                  m_and_not(h.undecided, m_from(lanes))};
+    const vd none = v_set(0);
+    const vm exact = v_eq(r->error, none);
+    const vm in = m_and(v_le(none, beyond_limit(r, of_end(l->limit, 0))),
+                        v_le(beyond_limit(r, of_end(l->limit, 1)), none));
+    const hits h = hits_of_roots(r, l, present);
+    return (hits){m_if(exact, m_and(present, in), h.hit),
+                  m_and_not(h.undecided, exact)};
 }
 
 /* ------------------------------------------------------------ points ---- */
@@ -455,20 +442,17 @@ static int refine_roots(cylint_question *q)
     root r = bounded_root(v_load(q->value), v_load(q->tail), v_load(q->error));
     local_line l;
     pair_line in;
+    if (cylint_too_small(q->line->tmin) || cylint_too_small(q->line->tmax))
+        return CYLINT_UNDECIDED;
     if (q->want & CYLINT_WANT_BESIDE_T)
         load_any_pairs(&in, shape, q->line, 1);
     set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
     const vm present = m_from(q->ends.present);
-    if (cylint_solid_has_discs(solid)) {
-        root of_plane;
-        const vm planes = exact_roots_of_planes(&of_plane, q);
-        r = root_if(planes, &of_plane, &r);
-    }
-    hits h = hits_of_roots(&r, &l, present);
-    unsigned needed = ends_needed(h, bits, q->want);
-    unsigned exact = roots_at(&zero, &r, &at, needed, q, solid);
-    r = root_if(m_from(exact), &zero, &r);
-    h = with_exact_hits(h, &r, exact, q->line);
+    if (cylint_solid_has_discs(solid))
+        set_roots_of_planes(&r, q);
+    unsigned needed = ends_needed(exact_hits(&r, &l, present), bits, q->want);
+    try_root(&r, &zero, &at, needed, q, solid);
+    hits h = exact_hits(&r, &l, present);
     needed = ends_needed(h, bits, q->want);
     if (!needed)
         return write_hits(m_bits(h.hit), bits, &r, &in, q, solid);
@@ -488,14 +472,13 @@ static int refine_roots(cylint_question *q)
                                                m_from(q->ends.on_end), solid);
     const root better = step_from(start, level, &at);
     r = root_if(m_from(needed), &better, &r);
-    h = with_exact_hits(hits_of_roots(&r, &l, present), &r, exact, q->line);
+    h = exact_hits(&r, &l, present);
     needed = ends_needed(h, bits, q->want);
     if (needed) {
         const vpair coarse = short_pair(r.value, r.tail);
         const root near = exact_root(coarse.hi, coarse.lo);
-        const unsigned found = roots_at(&near, &r, &at, needed, q, solid);
-        r = root_if(m_from(found), &near, &r);
-        h = with_exact_hits(h, &r, found, q->line);
+        try_root(&r, &near, &at, needed, q, solid);
+        h = exact_hits(&r, &l, present);
     }
     if (ends_needed(h, bits, q->want))
         return CYLINT_UNDECIDED;

@@ -237,27 +237,22 @@ INLINE bounded_value residual_at(const pair_line *in, const local_line *l, vd t,
 
 /* ------------------------------------------------------ Newton's step --- */
 
-/* A root: value + tail with the error; low and high are bounds that are rounded.
- * nearest: value is certainly the nearest double.  From an estimate that is not
- * near, none of these holds. */
+/* A root: value + tail with the error.  nearest: value is certainly the nearest
+ * double.  From an estimate that is not near, neither holds. */
 typedef struct {
-    vd value, tail, error, low, high;
+    vd value, tail, error;
     vm nearest;
 } root;
 
 /* From its sum and error. */
 INLINE root bounded_root(vd value, vd tail, vd error)
 {
-    root r = {.value = value,
-              .tail = tail,
-              .error = error,
-              .low = value + (tail - error),
-              .high = value + (tail + error)};
+    const vd low = value + (tail - error), high = value + (tail + error);
     const vd size = v_abs(value);
     const vm in_range = m_and(v_lt(size, v_set(1 / CYLINT_ROOT_LEAST)),
                               v_lt(v_set(CYLINT_ROOT_LEAST), size));
-    r.nearest = m_and(m_and(v_eq(r.low, value), v_eq(r.high, value)), in_range);
-    return r;
+    const vm nearest = m_and(v_eq(low, value), v_eq(high, value));
+    return (root){value, tail, error, m_and(nearest, in_range)};
 }
 
 /*
@@ -301,13 +296,21 @@ typedef struct {
     vm hit, undecided;
 } hits;
 
-/* present: on a part that is present. */
+/* The root minus an end of the domain, rounded twice. */
+INLINE vd beyond_limit(const root *r, vd limit)
+{
+    return (r->value - limit) + r->tail;
+}
+
+/* present: on a part that is present.  2^-900: the processor may read an end of the
+ * domain that is subnormal as 0. */
 INLINE hits hits_of_roots(const root *r, const local_line *l, vm present)
 {
-    const vd tmin = of_end(l->limit, 0), tmax = of_end(l->limit, 1);
-    const vm in =
-        m_and(m_and(v_lt(tmin, r->low), v_lt(r->high, tmax)), r->nearest);
-    const vm out = m_or(v_lt(r->high, tmin), v_lt(tmax, r->low));
+    const vd most = v_sum_of(v_set(2), r->error, v_set(0x1p-900));
+    const signs first = signs_of(beyond_limit(r, of_end(l->limit, 0)), most);
+    const signs last = signs_of(beyond_limit(r, of_end(l->limit, 1)), most);
+    const vm in = m_and(m_and(first.positive, last.negative), r->nearest);
+    const vm out = m_or(first.negative, last.positive);
     return (hits){m_and(present, in), m_and_not(present, m_or(in, out))};
 }
 
