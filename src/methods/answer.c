@@ -74,16 +74,20 @@ typedef struct frame {
 static void semi_axes(const cylint_shape *shape, double radius, double a[3],
                       double b[3])
 {
-    static const double none[3] = {0, 0, 0};
+    const double *axis = cylint_axis(shape);
     double e[3] = {0, 0, 0}, h[3];
+    int least = 0;
 
     if (cylint_is_elliptic(shape->kind)) {
         memcpy(a, cylint_a(shape), sizeof e);
         memcpy(b, cylint_b(shape), sizeof e);
         return;
     }
-    e[cylint_least_component(cylint_axis(shape), none)] = 1;
-    unit(cylint_axis(shape), h);
+    for (int i = 1; i < 3; i++)
+        if (cylint_less(fabs(axis[i]), fabs(axis[least])))
+            least = i;
+    e[least] = 1;
+    unit(axis, h);
     cross(e, h, a);
     unit(a, a);
     cross(h, a, b);

@@ -37,28 +37,6 @@ int cylint_apex_normal_sign(const cylint_shape *s, int along);
 /* The double nearest to the tangent of an angle in (0, 90) degrees. */
 double cylint_tangent(double degrees);
 
-/* |x| < |y|. */
-static inline int cylint_is_smaller(pair x, pair y)
-{
-    const double xh = fabs(x.hi), yh = fabs(y.hi);
-    if (cylint_rank(xh) != cylint_rank(yh))
-        return cylint_less(xh, yh);
-    return cylint_less(cylint_sign(x.hi) < 0 ? -x.lo : x.lo,
-                       cylint_sign(y.hi) < 0 ? -y.lo : y.lo);
-}
-
-/* The first coordinate along which the axis, hi + lo, has its smallest
- * component. */
-static inline int cylint_least_component(const double hi[3], const double lo[3])
-{
-    int least = 0;
-    for (int i = 1; i < 3; i++)
-        if (cylint_is_smaller((pair){hi[i], lo[i]},
-                              (pair){hi[least], lo[least]}))
-            least = i;
-    return least;
-}
-
 /* The first coordinate along which the axis of a shape has its smallest
  * component. */
 int cylint_least_axis_component(const cylint_shape *s);

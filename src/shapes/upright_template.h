@@ -233,12 +233,17 @@ typedef int coordinate;
 INLINE coordinate least_of_equal(const real hi[4], const real lo[4],
                                  const cylint_shape *s)
 {
-    int tiny = 0;
-    EACH(i, 3)
+    int tiny = 0, least = 0;
+    EACH(i, 3) {
+        const double size = fabs(hi[i]), most = fabs(hi[least]);
+        const double low = hi[i] < 0 ? -lo[i] : lo[i],
+                     most_low = hi[least] < 0 ? -lo[least] : lo[least];
         tiny |= cylint_too_small(cylint_base(s)[i]) |
                 cylint_too_small(cylint_top(s)[i]);
-    return tiny ? cylint_least_axis_component(s)
-                : cylint_least_component(hi, lo);
+        if (size < most || (size == most && low < most_low))
+            least = i;
+    }
+    return tiny ? cylint_least_axis_component(s) : least;
 }
 
 /* The coordinate along which the axis of a shape is least, from which phi is
