@@ -33,10 +33,14 @@ INLINE vd elements(const double *x, const size_t *number, int in_a_row)
     return in_a_row ? v_load(x + number[0]) : v_pick(x, number);
 }
 
-/* A line and the ball about a shape, which is a sphere. */
+/* A line and the ball about a shape, which is a sphere; and copies of the columns
+ * from which they are loaded: the list that the pass writes cannot change these. */
 typedef struct {
     frames frame;
     line_lanes line;
+    cylint_run run;
+    cylint_lines lines;
+    size_t n;
 } ball_pass;
 
 /* The lanes whose line certainly misses the ball. */
@@ -65,32 +69,13 @@ INLINE unsigned within_reach(const local_line *l,
     return m_bits(m_not(m_or(before, beyond)));
 }
 
-/* Copies of what the first pass reads: the list that it writes cannot change
- * them. */
-typedef struct {
-    cylint_run run;
-    cylint_lines lines;
-    size_t n;
-} pass_columns;
-
-INLINE pass_columns columns_of(const cylint_filter_batch *from, mode m)
-{
-    pass_columns c;
-    if (m != MODE_SHAPE)
-        c.run = *from->run;
-    if (m != MODE_LINE)
-        c.lines = *from->lines;
-    c.n = from->n;
-    return c;
-}
-
 /* Loads what differs from lane to lane, from lane `lane` on. */
-INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
+INLINE void pass_at(ball_pass *b, size_t lane, mode m)
 {
-    const cylint_lines *lines = &from->lines;
+    const cylint_lines *lines = &b->lines;
     if (m != MODE_SHAPE) {
-        const double *column = from->run.column + lane;
-        const size_t stride = from->run.stride;
+        const double *column = b->run.column + lane;
+        const size_t stride = b->run.stride;
         EACH(i, 3)
             b->frame.of[CYLINT_AT_BASE + i] =
                 v_load(column + (size_t)i * stride);
@@ -102,8 +87,8 @@ INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
             b->line.d[i] = v_load(lines->d[i] + lane);
         }
     } else if (m == MODE_PAIRS) {
-        const size_t *at = from->run.number + lane;
-        const int in_a_row = lane + LANES <= from->n && /* not padded */
+        const size_t *at = b->run.number + lane;
+        const int in_a_row = lane + LANES <= b->n && /* not padded */
                              at[LANES - 1] - at[0] == LANES - 1;
         EACH(i, 3) {
             b->line.o[i] = elements(lines->o[i], at, in_a_row);
@@ -113,8 +98,13 @@ INLINE void pass_at(const pass_columns *from, size_t lane, mode m, ball_pass *b)
 }
 
 /* Loads what all lanes have in common. */
-INLINE void load_pass(const cylint_filter_batch *from, mode m, ball_pass *b)
+INLINE void load_pass(ball_pass *b, const cylint_filter_batch *from, mode m)
 {
+    b->n = from->n;
+    if (m != MODE_SHAPE)
+        b->run = *from->run;
+    if (m != MODE_LINE)
+        b->lines = *from->lines;
     if (m == MODE_SHAPE)
         b->frame.of[CYLINT_AT_R0] = v_set(from->radius);
     EACH(i, 3) {
@@ -131,35 +121,33 @@ INLINE void load_pass(const cylint_filter_batch *from, mode m, ball_pass *b)
  * the outcomes of one vector are hard to predict. */
 enum { BLOCK = 16, VECTORS = BLOCK / LANES };
 
-INLINE local_line ball_at(const pass_columns *columns, size_t lane, mode m,
-                          ball_pass *pass)
+INLINE local_line ball_at(ball_pass *pass, size_t lane, mode m)
 {
     const source from = {&pass->frame, &pass->line};
     local_line l;
-    pass_at(columns, lane, m, pass);
+    pass_at(pass, lane, m);
     load_first(&l, &from, CYLINT_SOLID_SPHERE);
     return l;
 }
 
 /* The lanes of a vector whose line does not certainly miss the ball. */
-INLINE unsigned lanes_kept(const pass_columns *columns, size_t lane, mode m,
-                           ball_pass *pass)
+INLINE unsigned lanes_kept(ball_pass *pass, size_t lane, mode m)
 {
-    const size_t n = columns->n - lane;
+    const size_t n = pass->n - lane;
     const unsigned there = n < LANES ? (1u << n) - 1 : ALL;
     if (m == MODE_SHAPE && n < LANES) /* the caller's arrays end there */
         return there;
-    const local_line ball = ball_at(columns, lane, m, pass);
+    const local_line ball = ball_at(pass, lane, m);
     return there & m_bits(m_not(misses_ball(&ball)));
 }
 
 /* Puts the numbers of the lanes `kept` into the list; returns how many. */
-INLINE size_t keep_numbers(size_t *list, const pass_columns *columns,
-                           size_t lane, mode m, unsigned kept)
+INLINE size_t keep_numbers(size_t *list, const ball_pass *pass, size_t lane,
+                           mode m, unsigned kept)
 {
     size_t n = 0;
     if (m != MODE_SHAPE)
-        return v_keep(list, columns->run.number + lane, kept);
+        return v_keep(list, pass->run.number + lane, kept);
     for (unsigned i = 0; i < LANES; i++) { /* no branch to predict */
         list[n] = lane + i;
         n += kept >> i & 1;
@@ -172,26 +160,24 @@ INLINE size_t keep_numbers(size_t *list, const pass_columns *columns,
 INLINE void first_pass(cylint_filter_batch *from, size_t enough, mode m)
 {
     size_t *list = from->list, end = from->end, lane = from->lane;
-    const pass_columns columns = columns_of(from, m);
     ball_pass pass;
-    load_pass(from, m, &pass);
-    while (lane < columns.n && end < enough) {
-        const size_t n = columns.n - lane;
+    load_pass(&pass, from, m);
+    while (lane < pass.n && end < enough) {
+        const size_t n = pass.n - lane;
         const int vectors =
             n < BLOCK ? (int)((n + LANES - 1) / LANES) : VECTORS;
         unsigned kept[VECTORS], any = 0;
         for (int i = 0; i < vectors; i++)
-            any |= kept[i] =
-                lanes_kept(&columns, lane + (size_t)i * LANES, m, &pass);
+            any |= kept[i] = lanes_kept(&pass, lane + (size_t)i * LANES, m);
         for (int i = 0; any && i < vectors; i++) {
             const size_t at = lane + (size_t)i * LANES;
             if (m == MODE_LINE && !from->relations) {
                 if (!kept[i])
                     continue;
-                const local_line ball = ball_at(&columns, at, m, &pass);
+                const local_line ball = ball_at(&pass, at, m);
                 kept[i] &= within_reach(&ball, from);
             }
-            end += keep_numbers(list + end, &columns, at, m, kept[i]);
+            end += keep_numbers(list + end, &pass, at, m, kept[i]);
         }
         lane += (size_t)vectors * LANES;
     }
