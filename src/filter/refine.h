@@ -290,7 +290,7 @@ ASIDE void set_roots_of_planes(root *r, const cylint_question *q)
             plane_coordinate(&from, i, m_from(q->ends.top), &is_fixed);
         const vm here = m_and(m_and(is_fixed, m_from(q->ends.on_end)),
                               v_eq(plane.lo, none));
-        if (!m_any(here) || !cylint_is_power_of_two(d) ||
+        if (!m_any(here) || cylint_bits(d) << 12 != 0 ||
             cylint_sign(q->line->d_lo[i]) != 0 || cylint_too_small(o))
             continue;
         const vpair rise = v_two_sum(plane.hi, v_set(-o));
@@ -450,10 +450,9 @@ static int refine_roots(cylint_question *q)
     const vm present = m_from(q->ends.present);
     if (cylint_solid_has_discs(solid))
         set_roots_of_planes(&r, q);
-    unsigned needed = ends_needed(exact_hits(&r, &l, present), bits, q->want);
-    try_root(&r, &zero, &at, needed, q, solid);
+    try_root(&r, &zero, &at, q->ends.present, q, solid);
     hits h = exact_hits(&r, &l, present);
-    needed = ends_needed(h, bits, q->want);
+    unsigned needed = ends_needed(h, bits, q->want);
     if (!needed)
         return write_hits(m_bits(h.hit), bits, &r, &in, q, solid);
     const vd off = (r.error + v_abs(r.tail)) * at.curvature;

@@ -91,13 +91,6 @@ static inline int cylint_too_small(double x)
     return cylint_is_small(x, CYLINT_SUM_EXPONENT);
 }
 
-/* Whether x is a normal power of two, of either sign. */
-static inline int cylint_is_power_of_two(double x)
-{
-    /* untaken 1 of 4: no direction towards a plane is 0 */
-    return fabs(x) > 0 && cylint_bits(x) << 12 == 0;
-}
-
 /* An integer that grows with x.  Both zeros give 0. */
 static inline int64_t cylint_rank(double x)
 {
