@@ -145,15 +145,14 @@ INLINE void load_after_G(local_line *l, const source *from, int solid)
 }
 
 /* The numbers of the line in doubles that the stages in pairs read. */
-INLINE void set_sizes(local_line *l, const cylint_shape *shape,
-                      const cylint_line *line, double Q, double D, int solid)
+INLINE void set_sizes(local_line *l, const cylint_question *q, int solid)
 {
-    const source from = {shape, line};
+    const source from = {q->shape, q->line};
     set_surface(l, v_set(0), &from, solid);
     load_after_G(l, &from, solid);
-    l->Q = v_set(Q);
-    l->D = v_set(D);
-    l->unit = v_set(cylint_frame_error(shape));
+    l->Q = v_set(q->Q);
+    l->D = v_set(q->D);
+    l->unit = v_set(cylint_frame_error(q->shape));
 }
 
 /* The matrix times a vector, whose components are hi[j] + lo[j] in all lanes.

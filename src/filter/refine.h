@@ -352,12 +352,10 @@ static int contains_in_pairs(const cylint_shape *shape, const double point[3])
     local_line l = no_line;
     point_signs at = no_point_signs;
     pair_line in;
-    first_line first;
     if (!cylint_rounds_to_nearest())
         return CYLINT_SIGN_UNDECIDED;
-    load_point(&first, point, shape, solid);
-    q.Q = v_first(first.Q);
-    set_sizes(&l, q.shape, q.line, q.Q, q.D, solid);
+    load_place(&l, point, shape, solid);
+    l.unit = v_set(cylint_frame_error(shape));
     load_any_pairs(&in, shape, &line, 0);
     point_in_pairs(&at, &l, &in, v_set(0), shape, solid);
     const int side = side_of_place(place_of_point(&at, solid));
@@ -381,7 +379,7 @@ static int refine_line(cylint_question *q)
                                       q->answer);
     v.ball.computed = 1;
     v.exists[0] = m_from(3);
-    set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
+    set_sizes(&l, q, solid);
     load_any_pairs(&in, shape, q->line, 1);
     forms_in_pairs(&f, &v.ball, &l, &in, shape, solid);
     v.G = bounded_G(&f, &l, solid);
@@ -406,7 +404,7 @@ INLINE int refine_ends(cylint_question *q, int solid)
     pair_line in;
     verdict v = no_verdict;
     point_signs at = no_point_signs;
-    set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
+    set_sizes(&l, q, solid);
     const vd t = near_limit(l.limit[0]);
     load_any_pairs(&in, q->shape, q->line, m_bits(v_eq(t, v_set(0))) != 3);
     v.exists[0] = m_from(q->exists);
@@ -446,7 +444,7 @@ static int refine_roots(cylint_question *q)
         return CYLINT_UNDECIDED;
     if (q->want & CYLINT_WANT_BESIDE_T)
         load_any_pairs(&in, shape, q->line, 1);
-    set_sizes(&l, q->shape, q->line, q->Q, q->D, solid);
+    set_sizes(&l, q, solid);
     const vm present = m_from(q->ends.present);
     if (cylint_solid_has_discs(solid))
         set_roots_of_planes(&r, q);
