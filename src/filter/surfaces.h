@@ -302,11 +302,11 @@ INLINE vd beyond_limit(const root *r, vd limit)
     return (r->value - limit) + r->tail;
 }
 
-/* present: on a part that is present.  2^-900: the processor may read an end of the
- * domain that is subnormal as 0. */
+/* present: on a part that is present.  CYLINT_SLACK covers the roundings, and 2^-900
+ * ends of the domain that are subnormal: the processor may read them as 0. */
 INLINE hits hits_of_roots(const root *r, const local_line *l, vm present)
 {
-    const vd most = v_sum_of(v_set(2), r->error, v_set(0x1p-900));
+    const vd most = v_sum_of(v_set(CYLINT_SLACK), r->error, v_set(0x1p-900));
     const signs first = signs_of(beyond_limit(r, of_end(l->limit, 0)), most);
     const signs last = signs_of(beyond_limit(r, of_end(l->limit, 1)), most);
     const vm in = m_and(m_and(first.positive, last.negative), r->nearest);
