@@ -245,9 +245,9 @@ INLINE root root_if(vm m, const root *x, const root *y)
 }
 
 /* Writes the root `exact` to those lanes of `needed` whose root it is: it lies
- * within the error, it is a root of the surface, and the other root of that surface,
- * which is as far away as the slope over the curvature, is farther than both can be
- * from each other. */
+ * within the error, it is a root of the surface, and the other root of that
+ * surface, which is as far away as the slope over the curvature, is farther than
+ * both can be from each other. */
 INLINE void try_root(root *r, const root *exact, const estimate *at,
                      unsigned needed, const cylint_question *q, int solid)
 {

@@ -302,8 +302,8 @@ INLINE vd beyond_limit(const root *r, vd limit)
     return (r->value - limit) + r->tail;
 }
 
-/* present: on a part that is present.  CYLINT_SLACK covers the roundings, and 2^-900
- * ends of the domain that are subnormal: the processor may read them as 0. */
+/* present: on a part that is present.  CYLINT_SLACK covers the roundings, and
+ * 2^-900 ends of the domain that are subnormal: a processor may read them as 0. */
 INLINE hits hits_of_roots(const root *r, const local_line *l, vm present)
 {
     const vd most = v_sum_of(v_set(CYLINT_SLACK), r->error, v_set(0x1p-900));
