@@ -96,6 +96,9 @@ void cylint_scene_pack_others(cylint_scene *scene);
  * pack.  All other members are set.  Returns 0 if there is no memory. */
 int cylint_scene_complete(cylint_scene *scene);
 
+/* How many of n ascending numbers are less than this one. */
+size_t cylint_place_among(const uint32_t *numbers, size_t n, size_t number);
+
 /* Whether a shape is beside the hierarchy. */
 int cylint_is_other(const cylint_scene *scene, size_t number);
 

@@ -19,8 +19,7 @@ static int is_before_in_solid(const cylint_membership *x,
 #define SORT sort_by_solid
 #include "../merge_sort_template.h"
 
-/* Whether the number is one of n ascending ones. */
-static int is_among(const uint32_t *numbers, size_t n, size_t number)
+size_t cylint_place_among(const uint32_t *numbers, size_t n, size_t number)
 {
     size_t from = 0, to = n;
     while (from < to) {
@@ -30,12 +29,13 @@ static int is_among(const uint32_t *numbers, size_t n, size_t number)
         else
             to = middle;
     }
-    return from < n && numbers[from] == number;
+    return from;
 }
 
 int cylint_is_other(const cylint_scene *s, size_t number)
 {
-    return is_among(s->others, s->n_others, number);
+    const size_t at = cylint_place_among(s->others, s->n_others, number);
+    return at < s->n_others && s->others[at] == number;
 }
 
 /* Divides the memory of the arrays.  Without memory, only counts its bytes. */

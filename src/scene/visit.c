@@ -4,9 +4,8 @@
  *
  * The hierarchy finds a shape of several slices several times.  A direct-mapped
  * cache of the shapes that were tested last saves repeated tests.  A hash table
- * with open addressing has those that were visited; if it is full, one slice of a
- * shape decides: the one that contains the first hit, or has the least bound of its
- * distance from the point.
+ * with open addressing has those that were visited; if it is full, other shapes of
+ * several slices are left, and further traversals find them.
  */
 #include <math.h>
 #include <stddef.h>
@@ -24,16 +23,26 @@ enum { RECENT = 16, SET_SIZE = 256, SET_MOST = 192 };
 /* No shape has this number. */
 #define NO_SHAPE UINT32_MAX
 
+/* The most shapes that one further traversal finds. */
+enum { MOST_LEFT = 4096 };
+
 typedef struct {
     int may_repeat; /* a shape may be visited more than once: without the table */
     int visited;
     uint32_t recent[RECENT], slot[SET_SIZE];
+    int has_left; /* the table was full when another shape was found */
+    /* NULL in the first traversal; then the lowest of those shapes that are not
+     * in the table, from first_left on, ascending */
+    uint32_t *left;
+    size_t n_left;
+    uint32_t first_left;
 } tested_shapes;
 
 static inline void begin_tests(tested_shapes *s, int may_repeat)
 {
     s->may_repeat = may_repeat;
-    s->visited = 0;
+    s->visited = s->has_left = 0;
+    s->left = NULL;
     memset(s->recent, 0xff, sizeof s->recent); /* NO_SHAPE */
     if (!may_repeat)
         memset(s->slot, 0xff, sizeof s->slot);
@@ -57,6 +66,19 @@ static inline uint32_t *slot_of(tested_shapes *s, uint32_t number)
     return &s->slot[at];
 }
 
+/* Adds a shape to those that are left, unless MOST_LEFT lower ones are. */
+static void keep_left(tested_shapes *s, uint32_t number)
+{
+    const size_t at = cylint_place_among(s->left, s->n_left, number);
+    if (number < s->first_left || at == MOST_LEFT ||
+        (at < s->n_left && s->left[at] == number))
+        return;
+    s->n_left += s->n_left < MOST_LEFT;
+    memmove(s->left + at + 1, s->left + at,
+            (s->n_left - at - 1) * sizeof *s->left);
+    s->left[at] = number;
+}
+
 /* Tests a shape and calls back for it.  Returns whether it did. */
 typedef int shape_test(void *visit, size_t number);
 
@@ -68,17 +90,14 @@ static void test_each(void *visit, const int *stopped, shape_test *test,
         test(visit, list ? list[i] : i);
 }
 
-/* Whether the lane's slice is the one that decides about its shape. */
-typedef int owner_test(const void *visit, const cylint_leaf *leaf, int lane);
-
-/* Tests the shape of a lane, unless it was tested. */
+/* Tests the shape of a lane, unless it was tested or is left. */
 CYLINT_INLINE void test_lane(tested_shapes *s, const cylint_leaf *leaf,
-                             int lane, shape_test *test, owner_test *owns,
-                             void *visit)
+                             int lane, shape_test *test, void *visit)
 {
     const uint32_t number = leaf->number[lane];
     if (cylint_leaf_slice(leaf, lane).count == 1) {
-        test(visit, number);
+        if (!s->left)
+            test(visit, number);
         return;
     }
     if (s->may_repeat) {
@@ -89,13 +108,29 @@ CYLINT_INLINE void test_lane(tested_shapes *s, const cylint_leaf *leaf,
     uint32_t *slot = slot_of(s, number);
     if (*slot == number)
         return;
-    if (s->visited == SET_MOST) {
-        if (owns(visit, leaf, lane))
-            test(visit, number);
+    if (s->left) {
+        keep_left(s, number);
+    } else if (s->visited == SET_MOST) {
+        s->has_left = 1;
     } else if (!was_tested(s, number) && test(visit, number)) {
         *slot = number;
         s->visited++;
     }
+}
+
+/* Tests the shapes that were left, each once, by traversing again. */
+ASIDE void test_left(tested_shapes *s, void *visit, const int *stopped,
+                     shape_test *test, void (*traverse)(void *visit))
+{
+    uint32_t left[MOST_LEFT];
+    s->left = left;
+    s->first_left = 0;
+    do {
+        s->n_left = 0;
+        traverse(visit);
+        test_each(visit, stopped, test, left, 0, s->n_left);
+        s->first_left = s->n_left > 0 ? left[s->n_left - 1] + 1 : 0;
+    } while (s->n_left == MOST_LEFT && !*stopped);
 }
 
 /* Begins to load the lanes' shapes.  Always inlined: GCC removes calls of a
@@ -134,7 +169,7 @@ typedef struct {
     unsigned want;
     int stopped;
     int is_cut; /* a lesser `last` may have left out shapes */
-    int is_of_chords;
+    int is_of_chords, in_no_order;
     cylint_use_found *callback;
     void *context;
     tested_shapes tested;
@@ -147,10 +182,11 @@ typedef struct {
 
 /* Whether the line hits the shape; writes the shape and the members if members are
  * wanted. */
-static int line_hits(const line_visit *v, size_t number, unsigned want,
-                     cylint_shape *shape, cylint_hit *hit)
+static int line_hits(const line_visit *v, size_t number, cylint_shape *shape,
+                     cylint_hit *hit)
 {
     const cylint_records *r = &v->scene->records;
+    const unsigned want = v->want;
     cylint_answer answer;
     const int is =
         r->tag[number] & CYLINT_TAG_PLAIN
@@ -207,7 +243,7 @@ static int test_line_at(void *self, size_t number)
     cylint_hit hit;
     if (v->is_of_chords)
         return visit_chords_at(v, number);
-    if (number == v->except || !line_hits(v, number, v->want, &shape, &hit))
+    if (number == v->except || !line_hits(v, number, &shape, &hit))
         return 0;
     const cylint_found found = {.number = number,
                                 .at = v->want & CYLINT_WANT_T ? hit.t : 0,
@@ -219,21 +255,9 @@ static int test_line_at(void *self, size_t number)
 
 /* ----------------------------------------------------- a line and leaves -- */
 
-/* Whether the lane's slice contains the shape's first hit.  The leaf test never
- * rejects that slice while t is in the domain, and no other slice contains the
- * hit. */
-static int owns_first_hit(const void *self, const cylint_leaf *leaf, int lane)
-{
-    const cylint_slice slice = cylint_leaf_slice(leaf, lane);
-    cylint_shape shape;
-    cylint_hit hit;
-    return line_hits(self, leaf->number[lane], CYLINT_WANT_Z, &shape, &hit) &&
-           cylint_slice_at(hit.z, slice.count) == slice.index;
-}
-
 static void test_line_lane(line_visit *v, const cylint_leaf *leaf, int lane)
 {
-    test_lane(&v->tested, leaf, lane, test_line_at, owns_first_hit, v);
+    test_lane(&v->tested, leaf, lane, test_line_at, v);
 }
 
 static int test_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
@@ -325,8 +349,9 @@ static int keep_line_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
 
 /* Traverses the hierarchy or, where the frame cannot hold the line, tests every
  * shape in it. */
-static void traverse_lines(line_visit *v, int in_no_order)
+static void traverse_lines(void *self)
 {
+    line_visit *v = self;
     const cylint_scene *s = v->scene;
     if (s->n_bounded == 0 || v->stopped)
         return;
@@ -334,7 +359,7 @@ static void traverse_lines(line_visit *v, int in_no_order)
     case CYLINT_FRAME_MISSED:
         return;
     case CYLINT_FRAME_ENTERED:
-        if (in_no_order) {
+        if (v->in_no_order) {
             s->traversal->all(&s->bvh, &v->ray.line, keep_line_leaf, v);
             test_later(v);
             return;
@@ -370,13 +395,16 @@ int cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
     v.except = options->except;
     v.want = options->want;
     v.is_of_chords = options->is_of_chords;
+    v.in_no_order = options->in_no_order;
     v.callback = callback;
     v.context = context;
     begin_tests(&v.tested, options->may_repeat || options->is_of_chords);
     shorten_line(&v, last);
     test_each(&v, &v.stopped, test_line_at, others, options->first_other, n);
     v.is_cut = cylint_less(v.last, line->tmax);
-    traverse_lines(&v, options->in_no_order);
+    traverse_lines(&v);
+    if (v.tested.has_left)
+        test_left(&v.tested, &v, &v.stopped, test_line_at, traverse_lines);
     return v.is_cut;
 }
 
@@ -423,15 +451,6 @@ static void set_point_radius(point_visit *v, double radius)
         v->nearness == CYLINT_NEAR_SURFACE ? !(radius >= 0) : radius != radius;
 }
 
-/* Makes the shape, or its closed solid. */
-static void make_tested(const point_visit *v, size_t number,
-                        cylint_shape *shape)
-{
-    cylint_record_shape(&v->scene->records, number, shape);
-    if (v->nearness != CYLINT_NEAR_SURFACE)
-        shape->ends = cylint_closed_ends(shape->ends);
-}
-
 /* The distance that is compared. */
 static double compared(const point_visit *v, const cylint_closest *answer)
 {
@@ -439,15 +458,18 @@ static double compared(const point_visit *v, const cylint_closest *answer)
                                               : answer->distance;
 }
 
-/* Whether the shape's surface or solid is at most v->radius away.  Writes distance
- * and flags.  cylint_contains() takes less time than the distance, and decides
- * about shapes that must hold the point. */
+/* Makes the shape, or its closed solid, and returns whether its surface or solid is
+ * at most v->radius away.  Writes distance and flags.  cylint_contains() takes less
+ * time than the distance, and decides about shapes that must hold the point. */
 static int point_is_near(const point_visit *v, size_t number,
                          cylint_shape *shape, cylint_closest *answer)
 {
-    make_tested(v, number, shape);
+    const int is_of_solid = v->nearness != CYLINT_NEAR_SURFACE;
+    cylint_record_shape(&v->scene->records, number, shape);
+    if (is_of_solid)
+        shape->ends = cylint_closed_ends(shape->ends);
     answer->distance = answer->flags = 0;
-    if (v->nearness != CYLINT_NEAR_SURFACE && cylint_sign(v->radius) <= 0 &&
+    if (is_of_solid && cylint_sign(v->radius) <= 0 &&
         cylint_contains(shape, v->point) < 0)
         return 0;
     if (v->nearness >= CYLINT_HOLDING)
@@ -477,95 +499,6 @@ static int test_point_at(void *self, size_t number)
 
 /* ---------------------------------------------------- a point and leaves -- */
 
-static void point_to_frame(const cylint_frame *frame, const double point[3],
-                           double x[3])
-{
-    for (int j = 0; j < 3; j++)
-        x[j] = (point[j] - frame->view.center[j]) * frame->view.scale;
-}
-
-/* The slices of a shape and a point, in the frame. */
-typedef struct {
-    cylint_swept_disc disc;
-    double reach[3], x[3];
-    uint16_t count;
-} shape_slices;
-
-/* The distance of the point from the box of slice i. */
-static double distance_from_box(const shape_slices *p, uint16_t i)
-{
-    const cylint_extent box =
-        cylint_slice_box(&p->disc, p->reach, (cylint_slice){i, p->count});
-    double square = 0;
-    for (int j = 0; j < 3; j++) {
-        const double x = p->x[j];
-        const double d =
-            x - cylint_smaller(cylint_larger(x, (double)box.lower[j]),
-                               (double)box.upper[j]);
-        square += d * d;
-    }
-    return sqrt(square);
-}
-
-/*
- * The same for a capsule that contains slice i, negative in it.  Its axis is longer
- * than the slice by what an oblique section reaches along it; where balls end the
- * slice, it is shorter at the smaller one.  So it lies in the bound of leaf.c.
- * NaN if the axis is lost to underflow.
- */
-static double distance_from_capsule(const shape_slices *p, uint16_t i)
-{
-    const cylint_swept_disc *disc = &p->disc;
-    const cylint_slice_hull h =
-        cylint_slice_hull_of(disc, (cylint_slice){i, p->count});
-    const double k = cylint_larger(h.k[0], h.k[1]);
-    double D[3], z[2], square = 0;
-    for (int end = 0; end < 2; end++) {
-        const double shorter =
-            cylint_smaller((k - h.k[end]) / disc->length, h.z[1] - h.z[0]);
-        const double longer =
-            disc->round ? -shorter : k * disc->along / disc->length;
-        z[end] = h.z[end] + (end ? longer : -longer);
-    }
-    for (int j = 0; j < 3; j++)
-        D[j] = p->x[j] - disc->base[j];
-    const double nearest =
-        cylint_dot(D, disc->axis) / cylint_dot(disc->axis, disc->axis);
-    const double at = cylint_smaller(cylint_larger(nearest, z[0]), z[1]);
-    for (int j = 0; j < 3; j++) {
-        const double d = D[j] - at * disc->axis[j];
-        square += d * d;
-    }
-    return sqrt(square) - k * disc->across;
-}
-
-/*
- * Whether the lane's slice is the first of those of its shape for which the larger
- * of the two distances is least.  For the slice with the nearest point neither is
- * above v->radius if the shape is near.  So that holds for this slice, but for an
- * error that is less than traverse_point.c allows for: its lane is never rejected.
- */
-static int owns_point(const void *self, const cylint_leaf *leaf, int lane)
-{
-    const point_visit *v = self;
-    const cylint_slice own = cylint_leaf_slice(leaf, lane);
-    shape_slices p = {.count = own.count};
-    point_to_frame(&v->scene->frame, v->point, p.x);
-    cylint_swept_disc_at(&p.disc, &v->scene->frame.view, leaf->number[lane]);
-    cylint_swept_disc_reach(&p.disc, p.reach);
-    const double most = cylint_larger(distance_from_capsule(&p, own.index),
-                                      distance_from_box(&p, own.index));
-    for (uint16_t i = 0; i < own.count; i++) {
-        const double capsule = distance_from_capsule(&p, i);
-        if (i == own.index || capsule > most)
-            continue;
-        const double larger = cylint_larger(capsule, distance_from_box(&p, i));
-        if (i < own.index ? larger <= most : larger < most)
-            return 0;
-    }
-    return 1;
-}
-
 static int test_point_leaf(void *self, const cylint_leaf *leaf,
                            const double least[CYLINT_LEAF_SIZE])
 {
@@ -583,7 +516,7 @@ static int test_point_leaf(void *self, const cylint_leaf *leaf,
         if (least[lane] > v->reach)
             break;
         lanes &= ~(1u << lane);
-        test_lane(&v->tested, leaf, lane, test_point_at, owns_point, v);
+        test_lane(&v->tested, leaf, lane, test_point_at, v);
     }
     return v->stopped;
 }
@@ -592,13 +525,15 @@ static int test_point_leaf(void *self, const cylint_leaf *leaf,
 
 /* Traverses the hierarchy or, where the frame cannot hold the point, tests every
  * shape in it. */
-static void traverse_points(point_visit *v)
+static void traverse_points(void *self)
 {
+    point_visit *v = self;
     const cylint_scene *s = v->scene;
     double x[3];
     if (s->n_bounded == 0 || v->stopped)
         return;
-    point_to_frame(&s->frame, v->point, x);
+    for (int j = 0; j < 3; j++)
+        x[j] = (v->point[j] - s->frame.view.center[j]) * s->frame.view.scale;
     if (cylint_rounds_to_nearest() && cylint_largest(x) <= CYLINT_POINT_MOST) {
         s->traversal->point(&s->bvh, x, &v->reach, test_point_leaf, v);
         return;
@@ -625,4 +560,6 @@ void cylint_visit_point(const cylint_scene *scene, const double point[3],
     set_point_radius(&v, radius);
     test_each(&v, &v.stopped, test_point_at, others, 0, n);
     traverse_points(&v);
+    if (v.tested.has_left)
+        test_left(&v.tested, &v, &v.stopped, test_point_at, traverse_points);
 }

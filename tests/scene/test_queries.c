@@ -341,7 +341,7 @@ TEST(flat_shapes_of_several_slices_hold_their_points)
 /* Thick oblique shapes of few slices, whose boxes overlap, and radii at which a
  * slice that is only a little farther is rejected.  Some points are as near to two
  * slices. */
-TEST(one_slice_decides_about_a_shape_near_a_point)
+TEST(shapes_at_the_distance_of_the_radius_are_near)
 {
     enum { COPIES = 220, TURNS = 90, POINTS_EACH = 60 };
     static const double p[3] = {0, 0, 0}, q[3] = {8, 8, 8};
@@ -367,6 +367,44 @@ TEST(one_slice_decides_about_a_shape_near_a_point)
             CHECK(cylint_scene_within_count(scene, at, d, 0, 0) == COPIES);
         }
     }
+}
+
+enum { THOUSANDS = 10000 };
+
+static double count_visit(void *context, size_t number, const cylint_hit *hit)
+{
+    ((unsigned char *)context)[number]++;
+    return hit->t + 4;
+}
+
+/* Many more shapes of several slices than one traversal finds beside a full table,
+ * and balls, which are whole. */
+TEST(thousands_of_shapes_of_several_slices_count_once)
+{
+    static const double p[3] = {0, 0, 0}, q[2][3] = {{8, 8, 8}, {9, 9, 9}},
+                        inside[3] = {3, 3, 3};
+    static cylint_shape shapes[THOUSANDS];
+    static size_t hit[THOUSANDS], near[THOUSANDS];
+    static unsigned char visits[THOUSANDS];
+    cylint_line line;
+    for (int i = 0; i < THOUSANDS; i++)
+        if (i % 9 == 0)
+            cylint_sphere(&shapes[i], (double[]){2, 2, 2}, 3,
+                          CYLINT_ENDS_CAPPED);
+        else
+            cylint_cylinder(&shapes[i], p, q[i % 2], 0.02, CYLINT_ENDS_CAPPED);
+    OWN_SCENE *scene = cylint_scene_new(shapes, THOUSANDS, 1, NULL);
+    CHECK(cylint_ray(&line, (double[]){1, 0, 1}, (double[]){0, 1, 0}) ==
+          CYLINT_OK);
+    CHECK(cylint_scene_count(scene, &line, 0) == THOUSANDS &&
+          cylint_scene_count(scene, &line, THOUSANDS - 1) == THOUSANDS - 1 &&
+          cylint_scene_contains(scene, inside, 0) == THOUSANDS &&
+          cylint_scene_all(scene, &line, 0, hit, THOUSANDS) == THOUSANDS &&
+          cylint_scene_within(scene, line.o, 1, 0, 0, near, NULL, THOUSANDS) ==
+              THOUSANDS);
+    cylint_scene_visit(scene, &line, CYLINT_WANT_T, count_visit, visits);
+    for (size_t i = 0; i < THOUSANDS; i++)
+        CHECK(hit[i] == i && near[i] == i && visits[i] == 1);
 }
 
 /* ------------------------------------------------------------ contracts -- */
