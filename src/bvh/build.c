@@ -192,36 +192,6 @@ static void try_axis(const bins *b, int axis, size_t n, cut_plan *best)
     }
 }
 
-static void swap(cylint_boxed_slice *a, cylint_boxed_slice *b)
-{
-    const cylint_boxed_slice c = *a;
-    *a = *b;
-    *b = c;
-}
-
-/* Sorts partially: none of the first k keys is larger than any other key. */
-static void select_nth(cylint_boxed_slice *boxes, size_t n, size_t k, int axis)
-{
-    size_t from = 0, to = n; /* the k-th lies in [from, to) */
-    while (to - from > 1) {
-        const float pivot = key(&boxes[from + (to - from - 1) / 2], axis);
-        size_t i = from, j = to - 1;
-        for (;;) {
-            while (key(&boxes[i], axis) < pivot)
-                i++;
-            while (key(&boxes[j], axis) > pivot)
-                j--;
-            if (i >= j)
-                break;
-            swap(&boxes[i++], &boxes[j--]);
-        }
-        if (k <= j)
-            to = j + 1;
-        else
-            from = j + 1;
-    }
-}
-
 /*
  * Moves the boxes before the bin to the front and returns their number.  The
  * side of a box is unpredictable, so there is no branch: each box changes places
@@ -252,9 +222,28 @@ static size_t whole_leaves(size_t left, size_t n)
                                    : most;
 }
 
-/* Up to 8 boxes move to the other side, so that the leaves of both sides are
- * full.  They are the nearest to that side among NEARBY boxes. */
+/* Fewer than 8 boxes move to the other side, so that the leaves of both sides are
+ * full.  Each is the nearest to that side among NEARBY boxes. */
 enum { NEARBY = 512 };
+
+/* Moves boxes, so that k and not `left` are to the left. */
+static void move_nearest(const range *r, size_t left, size_t k, int axis)
+{
+    while (left != k) {
+        const int grows = left < k;
+        const size_t all = grows ? r->n - left : left,
+                     near = all < NEARBY ? all : NEARBY;
+        cylint_boxed_slice *from = r->boxes + left - (grows ? 0 : near),
+                           *best = from,
+                           *to = &r->boxes[grows ? left++ : --left];
+        for (size_t i = 1; i < near; i++)
+            if ((key(&from[i], axis) < key(best, axis)) == grows)
+                best = &from[i];
+        const cylint_boxed_slice box = *to;
+        *to = *best;
+        *best = box;
+    }
+}
 
 /* Splits more than 8 boxes.  Returns the number to the left, a multiple of 8. */
 ASIDE size_t divide(const range *r)
@@ -270,13 +259,7 @@ ASIDE size_t divide(const range *r)
         return whole_leaves(n / 2, n);
     const size_t left = partition(r->boxes, n, &s, best.axis, best.bin);
     const size_t k = whole_leaves(left, n);
-    if (k < left) {
-        const size_t from = left > NEARBY ? left - NEARBY : 0;
-        select_nth(r->boxes + from, left - from, k - from, best.axis);
-    } else if (k > left) {
-        const size_t m = n - left < NEARBY ? n - left : NEARBY;
-        select_nth(r->boxes + left, m, k - left, best.axis);
-    }
+    move_nearest(r, left, k, best.axis);
     return k;
 }
 
