@@ -71,11 +71,13 @@ void cylint_bvh_free(cylint_bvh *bvh);
  * Shapes [first, first + n) have moved, within the box of the hierarchy.  Their
  * slices stay in their lanes; leaves that contain one, and the nodes above these,
  * are bounded again.  No box is larger than a new build over the same leaves would
- * make it, but for up to two steps of the faces of each node below.  Returns the
- * box of all shapes, if any of them has moved.
+ * make it, but for up to two steps of the faces of each node below.  before: a box
+ * that contains the boxes of these slices as they were; NULL: all space.  Returns
+ * the box of all shapes, if any of them has moved.
  */
 cylint_extent cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view,
-                               uint32_t first, uint32_t n);
+                               uint32_t first, uint32_t n,
+                               const cylint_extent *before);
 
 /* The mean number of nodes and leaves that a traversal visits for a random line
  * through the centre of one of their boxes.  After a refit the boxes are those of

@@ -10,6 +10,8 @@ typedef struct {
     const cylint_bvh *bvh;
     const cylint_view *view;
     uint32_t first, n;
+    /* a box that contains their slices as they were; NULL: all space */
+    const cylint_extent *before;
 } moved_shapes;
 
 /* Boxes of leaves and nodes that have not moved are empty. */
@@ -169,6 +171,21 @@ static cylint_extent refit_node(const cylint_bvh *bvh, const cylint_view *view,
     return all;
 }
 
+/* Whether a shape that has moved may have been in this child.  The numbers in a
+ * leaf are read in less time than its box is computed. */
+static int may_contain_one(const moved_shapes *m, const cylint_node *node,
+                           int child)
+{
+    if (!m->before || node->leaves >> child & 1)
+        return 1;
+    const cylint_extent box = child_box(m->bvh, node, child);
+    int meets = 1;
+    for (int j = 0; j < 3; j++)
+        meets &= box.lower[j] <= m->before->upper[j] &&
+                 m->before->lower[j] <= box.upper[j];
+    return meets;
+}
+
 /* Bounds a leaf, or a node and those below it, again.  Returns as refit_node(). */
 static cylint_extent refit_below(const moved_shapes *m, uint32_t number)
 {
@@ -179,14 +196,16 @@ static cylint_extent refit_below(const moved_shapes *m, uint32_t number)
     }
     cylint_node *node = (cylint_node *)m->bvh->node_memory.data + number;
     for (int k = 0; k < CYLINT_CHILDREN && node->children >> k; k++)
-        box[k] = refit_below(m, node->child[k]);
+        box[k] = may_contain_one(m, node, k) ? refit_below(m, node->child[k])
+                                             : cylint_extent_empty();
     return refit_node(m->bvh, m->view, node, box);
 }
 
 cylint_extent cylint_bvh_refit(cylint_bvh *bvh, const cylint_view *view,
-                               uint32_t first, uint32_t n)
+                               uint32_t first, uint32_t n,
+                               const cylint_extent *before)
 {
-    const moved_shapes moved = {bvh, view, first, n};
+    const moved_shapes moved = {bvh, view, first, n, before};
     return refit_below(&moved, 0);
 }
 

@@ -8,49 +8,51 @@ typedef struct {
     cylint_scene *scene;
     size_t first, n;
     const cylint_shape *shapes;
-    cylint_shapes_box box; /* of those in the hierarchy */
+    cylint_shapes_box box, before; /* of those in the hierarchy; as they were */
 } replacement;
 
 /* Returns 0 if a shape cannot take the place of another. */
 static int measure_all(replacement *r)
 {
     const cylint_scene *s = r->scene;
+    cylint_shape old;
     for (size_t i = 0; i < r->n; i++) {
         const cylint_shape *shape = &r->shapes[i];
         if (!cylint_record_takes(&s->records, r->first + i, shape))
             return 0;
-        if (shape->kind != CYLINT_KIND_NONE &&
-            !cylint_is_other(s, r->first + i) &&
-            !cylint_extend_by_shape(&r->box, shape))
+        if (shape->kind == CYLINT_KIND_NONE || cylint_is_other(s, r->first + i))
+            continue;
+        if (!cylint_extend_by_shape(&r->box, shape))
             return 0;
+        cylint_record_data(&s->records, r->first + i, &old);
+        cylint_extend_by_shape(&r->before, &old);
     }
     return 1;
 }
 
 /* In the frame, the box of all slices of shapes within a box.  A slice's box is
  * larger than the slice by less than 2^-20, the rounding of its floats. */
-static void load_box_of_slices(const cylint_frame *f, const double lo[3],
-                               const double hi[3], double lower[3],
-                               double upper[3])
+static cylint_extent box_of_slices(const cylint_frame *f, const double lo[3],
+                                   const double hi[3])
 {
+    double lower[3], upper[3];
     for (int j = 0; j < 3; j++) {
         lower[j] = (lo[j] - f->view.center[j]) * f->view.scale - 0x1p-20;
         upper[j] = (hi[j] - f->view.center[j]) * f->view.scale + 0x1p-20;
     }
+    return cylint_float_box(lower, upper);
 }
 
 /* Whether the box of the shapes lies in the frame and in the hierarchy's box. */
 static int stays_in_frame(const replacement *r)
 {
     const cylint_frame *f = &r->scene->frame;
-    const cylint_extent *box = &r->scene->bvh.box;
-    double lower[3], upper[3];
+    const cylint_extent *all = &r->scene->bvh.box,
+                        box = box_of_slices(f, r->box.lo, r->box.hi);
     int is = 1;
-    load_box_of_slices(f, r->box.lo, r->box.hi, lower, upper);
     for (int j = 0; j < 3; j++)
         is &= r->box.lo[j] >= f->lo[j] && r->box.hi[j] <= f->hi[j] &&
-              lower[j] >= (double)box->lower[j] &&
-              upper[j] <= (double)box->upper[j];
+              box.lower[j] >= all->lower[j] && box.upper[j] <= all->upper[j];
     return is;
 }
 
@@ -100,12 +102,10 @@ static int shrink_frame(const cylint_scene *s, const cylint_extent *box,
  * that fit in it. */
 static void refit_in_frame(cylint_scene *s, const cylint_frame *frame)
 {
-    double lo[3], hi[3];
+    const cylint_extent box = box_of_slices(frame, frame->lo, frame->hi);
     s->frame = *frame;
-    load_box_of_slices(frame, frame->lo, frame->hi, lo, hi);
-    const cylint_extent box = cylint_float_box(lo, hi);
     cylint_bvh_set_box(&s->bvh, &box, CYLINT_FRAME_ERROR);
-    cylint_bvh_refit(&s->bvh, &s->frame.view, 0, UINT32_MAX);
+    cylint_bvh_refit(&s->bvh, &s->frame.view, 0, UINT32_MAX, NULL);
 }
 
 /* Bounds the shapes that moved, or all in a new frame. */
@@ -116,8 +116,11 @@ static void refit_hierarchy(const replacement *r)
     if (s->built_cost == 0)
         s->built_cost = cylint_bvh_cost(&s->bvh);
     if (stays_in_frame(r)) {
-        const cylint_extent box = cylint_bvh_refit(
-            &s->bvh, &s->frame.view, (uint32_t)r->first, (uint32_t)r->n);
+        const cylint_extent before =
+            box_of_slices(&s->frame, r->before.lo, r->before.hi);
+        const cylint_extent box =
+            cylint_bvh_refit(&s->bvh, &s->frame.view, (uint32_t)r->first,
+                             (uint32_t)r->n, &before);
         if (!shrink_frame(s, &box, &frame))
             return;
     } else {
@@ -133,7 +136,8 @@ cylint_scene_status cylint_scene_refit(cylint_scene *scene, size_t first,
                      .first = first,
                      .n = n,
                      .shapes = shapes,
-                     .box = CYLINT_NO_BOX};
+                     .box = CYLINT_NO_BOX,
+                     .before = CYLINT_NO_BOX};
     if (!scene->is_finished)
         return CYLINT_SCENE_EUNFINISHED;
     if (scene->file.data)
