@@ -53,18 +53,13 @@ typedef size_t cylint_traverse_all(const cylint_bvh *bvh,
                                    const cylint_bvh_line *line,
                                    cylint_leaf_callback *callback, void *self);
 
-/* Gets a leaf, of which the slices of a lane are at least least[lane] away.  It
- * may reduce the distance.  Returns 1 to stop the traversal. */
-typedef int cylint_point_leaf_callback(void *self, const cylint_leaf *leaf,
-                                       const double least[CYLINT_LEAF_SIZE]);
-
-/* Traverses a hierarchy that is not empty.  The coordinates of the point are at
- * most CYLINT_POINT_MOST in size, those of the box of all at most 1.  *distance
- * is at least 0 and may be infinite. */
+/* Traverses it with a point: the callback gets the lanes that may be within
+ * *distance of it; they are at least least[lane] away.  It may reduce the
+ * distance, which is at least 0 and may be infinite.  The coordinates of the point
+ * are at most CYLINT_POINT_MOST in size, those of the box of all at most 1. */
 typedef void cylint_traverse_point(const cylint_bvh *bvh, const double point[3],
                                    const double *distance,
-                                   cylint_point_leaf_callback *callback,
-                                   void *self);
+                                   cylint_leaf_callback *callback, void *self);
 
 #define CYLINT_POINT_MOST 0x1p60
 

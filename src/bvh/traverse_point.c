@@ -129,26 +129,31 @@ ASIDE double far_lanes(const cylint_leaf *b, const double q[3], double K,
     return far - 0x1p-48 * K;
 }
 
-/* A lane without a cylinder may be anywhere in the leaf's box. */
-CYLINT_INLINE void test_lanes_of(const traversal *t, const cylint_leaf *b,
-                                 double least[CYLINT_LEAF_SIZE])
+/* Returns the lanes that may be within the distance.  A lane without a cylinder may
+ * be anywhere in the leaf's box.  A bound is reduced by more than its rounding to a
+ * float, which is not subnormal. */
+CYLINT_INLINE unsigned test_lanes_of(const traversal *t, const cylint_leaf *b,
+                                     float least[CYLINT_LEAF_SIZE])
 {
     const double steps = (double)cylint_leaf_steps(b);
     const double unit = (1 - 0x1p-50) / steps;
     double q[3], K = (double)CYLINDER_REACH, less = t->error;
-    float found[CYLINT_LEAF_SIZE];
+    unsigned near = 0;
     EACH(j, 3) {
         q[j] = (t->x[j] - (double)b->center[j]) * steps;
         K += fabs(q[j]);
     }
     if (K < (double)FAR_LIMIT)
-        near_lanes(b, q, K, found);
+        near_lanes(b, q, K, least);
     else
-        less -= far_lanes(b, q, K, found) * unit;
+        less -= far_lanes(b, q, K, least) * unit;
     for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++) {
-        const double d = (double)found[lane] * unit - less;
-        least[lane] = d > 0 && !(b->always >> lane & 1) ? d : 0;
+        const double d = ((double)least[lane] * unit - less) * (1 - 0x1p-22);
+        const int is_apart = d > (double)FLT_MIN && !(b->always >> lane & 1);
+        least[lane] = is_apart ? (float)d : 0;
+        near |= (unsigned)((double)least[lane] <= *t->distance) << lane;
     }
+    return near & lanes_in_use(b);
 }
 
 /* ---------------------------------------------------------------- start -- */
@@ -186,16 +191,16 @@ static inline void start_point(traversal *t, const cylint_bvh *bvh,
 
 void CYLINT_TRAVERSE_POINT(const cylint_bvh *bvh, const double point[3],
                            const double *distance,
-                           cylint_point_leaf_callback *callback, void *self)
+                           cylint_leaf_callback *callback, void *self)
 {
     entry at, ahead = {0};
-    double least[CYLINT_LEAF_SIZE];
+    float least[CYLINT_LEAF_SIZE];
     traversal t;
     start_point(&t, bvh, point, distance);
     while ((at = take_leaf(&t, &ahead)).key) {
         const cylint_leaf *leaf = leaf_of(&t, at);
-        test_lanes_of(&t, leaf, least);
-        if (callback(self, leaf, least))
+        const unsigned lanes = test_lanes_of(&t, leaf, least);
+        if (lanes && callback(self, leaf, lanes, least))
             return;
         update_last(&t);
     }

@@ -499,21 +499,15 @@ static int test_point_at(void *self, size_t number)
 
 /* ---------------------------------------------------- a point and leaves -- */
 
-static int test_point_leaf(void *self, const cylint_leaf *leaf,
-                           const double least[CYLINT_LEAF_SIZE])
+static int test_point_leaf(void *self, const cylint_leaf *leaf, unsigned lanes,
+                           const float least[CYLINT_LEAF_SIZE])
 {
     point_visit *v = self;
-    unsigned lanes = (1u << cylint_leaf_used(leaf)) - 1;
-    if (!v->tested.may_repeat) { /* then most shapes within reach are tested */
-        for (int lane = 0; lane < cylint_leaf_used(leaf); lane++)
-            lanes &= ~((unsigned)(least[lane] > v->reach) << lane);
+    if (!v->tested.may_repeat) /* then most of these shapes are tested */
         prefetch_shapes(v->scene, leaf, lanes);
-    }
     while (lanes && !v->stopped) {
-        int lane = cylint_lowest(lanes);
-        EACH_BIT(other, lanes & (lanes - 1))
-            lane = least[other] < least[lane] ? other : lane;
-        if (least[lane] > v->reach)
+        const int lane = cylint_nearest_lane(lanes, least);
+        if ((double)least[lane] > v->reach)
             break;
         lanes &= ~(1u << lane);
         test_lane(&v->tested, leaf, lane, test_point_at, v);
