@@ -12,14 +12,15 @@
  * inside because every tangent plane is farther than the surface.
  *
  * Of a cylinder this is the distance of a point from an ellipse in a plane, of a
- * cone nearly that.  A rim is the ellipse of a right cylinder (project_on_end()).
- * With the principal axes A > B of the ellipse and the point (X, Y) of its plane,
- * the nearest point is (A cos, B sin) with
- *     cos = A X / (s + A^2), sin = B Y / (s + B^2), cos^2 + sin^2 = 1.
- * This has one root s > -B^2, that of the nearest point of all: it is computed as
- * that of sqrt(cos^2 + sin^2) = 1, whose inverse is nearly a straight line, by
- * Newton's iteration from the left.  [Eberly 2013, "Distance from a point to an
- * ellipse".]  Of a cone, Newton's iteration on the height follows.
+ * cone nearly that, if the gradients X and Y of x and y are perpendicular to that of
+ * rho, Z: make_upright().  A rim is the ellipse of a right cylinder
+ * (project_on_end()).  The point is Q = Y + t N for the nearest point Y.  Turned so
+ * that X and Y are perpendicular, too, this is
+ *     cos = x / (rho + t (X.X + Z.Z)), sin = y / (rho + t (Y.Y + Z.Z)).
+ * The root t of cos^2 + sin^2 = 1 for which both divisors are positive is that of
+ * the nearest point of all: it is computed as that of sqrt(cos^2 + sin^2) = 1, whose
+ * inverse is nearly a straight line, by Newton's iteration from the left.  [Eberly
+ * 2013, "Distance from a point to an ellipse".]
  *
  * Whether it is the nearest of all does not depend on that iteration: see
  * elliptic_certainty.h.
@@ -34,21 +35,15 @@ typedef struct {
     double cos, sin;
 } angle;
 
-/* Newton's iterations end after a step below this: the error is about its square.
- * After the most steps they end, too; then the angle is not used. */
+/* Newton's iteration ends after a step below this, or below the other where a rough
+ * angle is enough: the error is about its square. */
 #define CYLINT_ANGLE_STEP 0x1p-20
-#define CYLINT_SECULAR_STEP 0x1p-10
-
-/* A step of Newton's iteration is shorter than CYLINT_LONGEST_STEP.  Where it is
- * not, or leads down, as at skewed oblique cones, CYLINT_STEP_UP leads up. */
-#define CYLINT_LONGEST_STEP 0.5
-#define CYLINT_STEP_UP 0.4
-
-/* Where a rough angle is enough. */
 #define CYLINT_ROUGH_STEP 0x1p-6
-#define CYLINT_ROUGH_ANGLE 0x1p-12
 
-enum { CYLINT_SECULAR_STEPS = 40, CYLINT_ANGLE_STEPS = 12 };
+/* The error with which an oblique cone is made a right one. */
+#define CYLINT_UPRIGHT 0x1p-40
+
+enum { CYLINT_SECULAR_STEPS = 40, CYLINT_VELOCITY_STEPS = 12 };
 
 /* A point in the coordinates x, y, z of a shape.  Beside the other nappe of a
  * double cone it is turned about the apex: x, y and rho have the other signs. */
@@ -128,62 +123,6 @@ static inline void load_from_axis(double F[3], const elliptic_place *p,
         F[i] = p->D[i] - share * cylint_axis(s)[i];
 }
 
-/* ------------------------------------------------ a point and an ellipse -- */
-
-/* A symmetric matrix, its eigenvalues, and the unit vector (c, s) that belongs to
- * the larger one. */
-typedef struct {
-    double most, least, gap, c, s;
-} principal_axes;
-
-static inline principal_axes axes_of(double xx, double xy, double yy)
-{
-    const double half = 0.5 * (xx - yy), rad = sqrt(half * half + xy * xy);
-    const double most = 0.5 * (xx + yy) + rad;
-    const double x = fabs(half) + rad, y = fabs(xy);
-    const double scale = x > 0 ? 1 / sqrt(x * x + y * y) : 1;
-    const double large = x > 0 ? x * scale : 1, small = y * scale;
-    return (principal_axes){most, (xx * yy - xy * xy) / most, 2 * rad,
-                            half < 0 ? small : large,
-                            copysign(half < 0 ? large : small, xy)};
-}
-
-/* cos and sin for A X / B^2 and Y / B, and A^2 / B^2 - 1.  The iteration ends after
- * a relative step of `last`.  NaN for a point on the long axis with two nearest
- * points: sqrt() of a NaN would set errno under Windows. */
-static inline angle secular_angle(double along, double across, double excess,
-                                  double last)
-{
-    const double u = fabs(along), v = fabs(across);
-    /* mutant '>' -> '>=': no effect */
-    double s = v > u - excess ? v : u - excess, by;
-    angle to;
-    if (!(s > 0))
-        return (angle){NAN, NAN};
-    for (int i = 0; i < CYLINT_SECULAR_STEPS; i++) {
-        const double to_u = 1 / (s + excess), to_v = 1 / s;
-        const double a = u * to_u * (u * to_u), b = v * to_v * (v * to_v);
-        by = (sqrt(a + b) - 1) * (a + b) / (a * to_u + b * to_v);
-        s += by > 0 ? by : 0;
-        if (!(by > last * s))
-            break;
-    }
-    to.cos = copysign(u / (s + excess), along);
-    to.sin = copysign(v / s, across);
-    return to;
-}
-
-/* An angle in the axes of p, given along those of p.most and p.least, turned
- * back. */
-CYLINT_INLINE angle turned_back(const principal_axes *p, double of_most,
-                                double of_least)
-{
-    const double c = p->c * of_most - p->s * of_least,
-                 s = p->s * of_most + p->c * of_least;
-    const double scale = 1 / sqrt(c * c + s * s);
-    return (angle){c * scale, s * scale};
-}
-
 /* ------------------------------------------------- the lateral surface -- */
 
 /* What the height over a tangent plane and its derivatives by the angle are made
@@ -192,6 +131,8 @@ typedef struct {
     double n, slope_of_n;    /* n' */
     double U[3], V[3], N[3]; /* U' = V */
     double q, half_q, size;  /* N.N, N.V, |N| */
+    /* No eigenvalue of S (elliptic_certainty.h) is above `most` or below -down. */
+    double most, down;
 } tangent_plane;
 
 CYLINT_INLINE void load_tangent_plane(tangent_plane *t, const elliptic_place *p,
@@ -218,84 +159,125 @@ CYLINT_INLINE double slope_of_height(const tangent_plane *t,
     return t->slope_of_n * t->half_q - t->n * turned - (t->n + p->rho) * t->q;
 }
 
-CYLINT_INLINE angle turned_by(angle at, double by)
-{
-    const double square = by * by;
-    const double scale =
-        fabs(by) <= CYLINT_ANGLE_STEP ? 1 - 0.5 * square : 1 / sqrt(1 + square);
-    return (angle){(at.cos - at.sin * by) * scale,
-                   (at.sin + at.cos * by) * scale};
-}
+/* ------------------------------------------------------------ the angle -- */
 
-/* The height over the tangent plane. */
-CYLINT_INLINE double height_at(const elliptic_place *p, angle at)
-{
-    tangent_plane t;
-    load_tangent_plane(&t, p, at);
-    return t.n / t.size;
-}
+/* The products of X, Y and Z, of which Z is perpendicular to X and Y, and the values
+ * of x, y and rho at the point.  They follow from those of the shape by a hyperbolic
+ * rotation of the velocity (bx, by), which leaves x^2 + y^2 - rho^2 as it is.  f, k:
+ * its factors. */
+typedef struct {
+    double xx, xy, yy, zz, x, y, rho, bx, by, f, k;
+} upright;
 
-/* Of an angle in the axes and its mirror images the one with the largest height:
- * the section of an oblique cone is not perpendicular to its axis. */
-static inline angle highest_of(const principal_axes *axes, angle e,
-                               const elliptic_place *p)
+/* The velocity is (xx + s, xy, yy + s)^-1 (xz, yz) for the s that zz becomes.  This
+ * is zz - (bx, by).(xz, yz): Newton's iteration leads down to it. */
+static inline void make_upright(upright *u, const elliptic_place *p)
 {
-    angle best = turned_back(axes, e.sin, e.cos);
-    if (p->slope == 0 ||
-        (cylint_dot(p->X, p->Z) == 0 && cylint_dot(p->Y, p->Z) == 0))
-        return best;
-    double height = height_at(p, best);
-    for (int i = 1; i < 4; i++) {
-        const angle other =
-            turned_back(axes, i & 1 ? -e.sin : e.sin, i & 2 ? -e.cos : e.cos);
-        const double h = height_at(p, other);
-        if (h > height) {
-            height = h;
-            best = other;
-        }
+    const double xx = cylint_dot(p->X, p->X), xy = cylint_dot(p->X, p->Y),
+                 yy = cylint_dot(p->Y, p->Y),
+                 xz = p->slope * cylint_dot(p->X, p->Z),
+                 yz = p->slope * cylint_dot(p->Y, p->Z),
+                 zz = p->slope * p->slope * cylint_dot(p->Z, p->Z);
+    double s = zz, over = zz, bx = 0, by = 0, b_b = 0;
+    *u = (upright){xx, xy, yy, zz, p->x, p->y, p->rho, 0, 0, 1, 0};
+    for (int i = 0; i < CYLINT_VELOCITY_STEPS && over > CYLINT_UPRIGHT * zz;
+         i++) {
+        const double inverse = 1 / ((xx + s) * (yy + s) - xy * xy);
+        bx = ((yy + s) * xz - xy * yz) * inverse;
+        by = ((xx + s) * yz - xy * xz) * inverse;
+        b_b = bx * bx + by * by;
+        over = s - zz + bx * xz + by * yz;
+        s -= over / (1 - b_b);
     }
-    return best;
+    if (!(b_b > 0 && b_b < 1))
+        return;
+    const double f = 1 / sqrt(1 - b_b), k = f * f / (1 + f),
+                 hx = bx * xx + by * xy, hy = bx * xy + by * yy,
+                 bh = bx * hx + by * hy, bz = bx * xz + by * yz;
+    /* X + bx V and Y + by V with V = k (bx X + by Y) - f Z */
+    const double xv = k * hx - f * xz, yv = k * hy - f * yz,
+                 vv = k * (k * bh - 2 * f * bz) + f * f * zz,
+                 along = bx * p->x + by * p->y, v = k * along - f * p->rho;
+    *u = (upright){xx + bx * (2 * xv + bx * vv),
+                   xy + bx * yv + by * xv + bx * by * vv,
+                   yy + by * (2 * yv + by * vv),
+                   f * f * (zz - 2 * bz + bh),
+                   p->x + bx * v,
+                   p->y + by * v,
+                   f * (p->rho - along),
+                   bx,
+                   by,
+                   f,
+                   k};
 }
 
-/* lint: the analyzer takes three rounds of EACH for one */
-/* Writes the angle, and its tangent plane.  rough: an angle with an error of
- * about CYLINT_ROUGH_ANGLE is enough.  Returns 0 if the iteration did not come
- * to an end. */
+/* A symmetric matrix, its eigenvalues, and the unit vector (c, s) that belongs to
+ * the larger one. */
+typedef struct {
+    double most, least, gap, c, s;
+} principal_axes;
+
+static inline principal_axes axes_of(double xx, double xy, double yy)
+{
+    const double half = 0.5 * (xx - yy), rad = sqrt(half * half + xy * xy);
+    const double most = 0.5 * (xx + yy) + rad;
+    const double x = fabs(half) + rad, y = fabs(xy);
+    const double scale = x > 0 ? 1 / sqrt(x * x + y * y) : 1;
+    const double large = x > 0 ? x * scale : 1, small = y * scale;
+    return (principal_axes){most, (xx * yy - xy * xy) / most, 2 * rad,
+                            half < 0 ? small : large,
+                            copysign(half < 0 ? large : small, xy)};
+}
+
+/* cos and sin for H_y / H_x times x, y, and H_y / H_x - 1 times rho, with the sums
+ * H_x < H_y that are the factors of t; s is rho + t H_y.  The iteration ends after a
+ * relative step of `last`.  NaN between two nearest points on an axis: sqrt() of a
+ * NaN would set errno under Windows. */
+static inline angle secular_angle(double along, double across, double excess,
+                                  double last)
+{
+    const double u = fabs(along), v = fabs(across),
+                 least = cylint_smaller(excess, 0);
+    /* mutant '>' -> '>=': no effect */
+    double s = v > u - excess ? v : u - excess, by;
+    angle to;
+    if (!(s + least > 0))
+        return (angle){NAN, NAN};
+    for (int i = 0; i < CYLINT_SECULAR_STEPS; i++) {
+        const double to_u = 1 / (s + excess), to_v = 1 / s;
+        const double a = u * to_u * (u * to_u), b = v * to_v * (v * to_v);
+        by = (sqrt(a + b) - 1) * (a + b) / (a * to_u + b * to_v);
+        s += by > 0 ? by : 0;
+        if (!(by > last * (s + least)))
+            break;
+    }
+    to.cos = copysign(u / (s + excess), along);
+    to.sin = copysign(v / s, across);
+    return to;
+}
+
+/* Writes the angle, and its tangent plane.  Returns 0 if there is none. */
 ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                              const elliptic_place *p, int rough)
 {
-    const double axial = p->slope * p->slope * cylint_dot(p->Z, p->Z);
-    const principal_axes axes =
-        axes_of(cylint_dot(p->X, p->X) + axial, cylint_dot(p->X, p->Y),
-                cylint_dot(p->Y, p->Y) + axial);
-    const double short_way = axes.c * p->x + axes.s * p->y,
-                 long_way = axes.c * p->y - axes.s * p->x;
-    const double ratio = axes.most / axes.least;
-    const double r = p->rho > p->error ? p->rho : p->error;
-    const int is_cone = p->slope != 0;
-    const double last = rough     ? CYLINT_ROUGH_STEP
-                        : is_cone ? CYLINT_SECULAR_STEP
-                                  : CYLINT_ANGLE_STEP;
-    const angle e = secular_angle(ratio * long_way / r, short_way / r,
-                                  axes.gap / axes.least, last);
+    upright u;
+    make_upright(&u, p);
+    const principal_axes H = axes_of(u.xx + u.zz, u.xy, u.yy + u.zz);
+    const angle e = secular_angle(
+        H.most / H.least * (H.c * u.y - H.s * u.x), H.c * u.x + H.s * u.y,
+        H.gap / H.least * u.rho, rough ? CYLINT_ROUGH_STEP : CYLINT_ANGLE_STEP);
     if (isnan(e.cos))
         return 0;
-    *at = highest_of(&axes, e, p);
-    double by = is_cone ? 1 : 0;
-    for (int i = 0; i <= CYLINT_ANGLE_STEPS; i++) {
-        load_tangent_plane(t, p, *at);
-        if (fabs(by) <= CYLINT_ANGLE_STEP)
-            return 1;
-        const double g = t->slope_of_n * t->q - t->n * t->half_q,
-                     slope = slope_of_height(t, p);
-        by = -g / slope;
-        if (!(slope < 0) || !(fabs(by) < CYLINT_LONGEST_STEP))
-            by = copysign(CYLINT_STEP_UP, g);
-        if (rough && fabs(by) <= CYLINT_ROUGH_ANGLE)
-            return 1;
-        *at = turned_by(*at, by);
-    }
-    return 0;
+    const double x = H.c * e.sin - H.s * e.cos, y = H.s * e.sin + H.c * e.cos,
+                 back = u.k * (u.bx * x + u.by * y) + u.f, c = x + back * u.bx,
+                 s = y + back * u.by, scale = 1 / sqrt(c * c + s * s);
+    const double size = u.f * u.f * p->norm, /* of X, Y and Z, at least */
+        error = 64 * p->relative * size * size;
+    t->most = H.most - u.zz + error;
+    t->down = u.zz + error;
+    *at = (angle){c * scale, s * scale};
+    load_tangent_plane(t, p, *at);
+    return 1;
 }
 
 #endif

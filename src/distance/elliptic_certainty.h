@@ -14,10 +14,13 @@
  * Let `least`, at most the least eigenvalue of 1 + m S, be positive.  Then no point
  * that is nearer than Y is farther from it than 2 l |u'| / least.  With Su' = V and
  * u'.V = 1, the square of no distance is less than h^2 + m l^2 - (m l)^2 V.V /
- * least.  The least eigenvalue is concave in m and 1 where m is 0, so an upper
- * bound of |m| serves.  On a rim, Y.SY is the square of its factor.  Outside a
- * convex shape the first bound is right for least = 1, because projections on it
- * reduce distances, and no distance is below h.
+ * least.  Bounds on the eigenvalues of S and an upper bound of |m| give `least`.  On
+ * a rim, Y.SY is the square of its factor.  Outside a convex shape the first bound
+ * is right for least = 1, because projections on it reduce distances, and no
+ * distance is below h.
+ *
+ * A hyperbolic rotation (make_upright()) leaves S as it is.  So whatever its
+ * velocity, no eigenvalue is above that of X X^T + Y Y^T or below -Z.Z afterwards.
  *
  * Inside, the distance is at most h.  Outside, let G be the point l^2 / (rho |N|)
  * below the foot, where (Y + l u').S(Y + l u') exceeds Y.SY by l^2.  With
@@ -71,33 +74,6 @@ static inline double normal_error(const tangent_plane *t,
     return 4 * p->relative * p->norm / t->size;
 }
 
-/* At most the least eigenvalue of 1 + m S, if that is positive; else 0 or less.
- * Where trace, sum of minors and determinant are positive, the eigenvalues are, and
- * determinant / minors is a third of the least one, or more. */
-static inline double least_eigenvalue(const elliptic_place *p, double m)
-{
-    double Z[3], W[3];
-    EACH(i, 3)
-        Z[i] = p->slope * p->Z[i];
-    EACH(i, 3) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        W[i] = p->Y[j] * Z[k] - p->Y[k] * Z[j];
-    }
-    const double xx = cylint_dot(p->X, p->X), yy = cylint_dot(p->Y, p->Y),
-                 zz = cylint_dot(Z, Z), xy = cylint_dot(p->X, p->Y),
-                 xz = cylint_dot(p->X, Z), yz = cylint_dot(p->Y, Z),
-                 volume = cylint_dot(p->X, W);
-    const double s1 = xx + yy - zz, s2 = (xx * yy - xy * xy) -
-                                         (xx * zz - xz * xz) -
-                                         (yy * zz - yz * yz);
-    const double trace = 3 + m * s1, minors = 3 + m * (2 * s1 + m * s2),
-                 det = 1 + m * (s1 + m * (s2 - m * volume * volume));
-    const double size = fabs(m), error = 16 * p->relative * (1 + size * xx) *
-                                         (1 + size * yy) * (1 + size * zz);
-    return trace > error && minors > error ? (det - error) / (minors + error)
-                                           : 0;
-}
-
 /* Whether the other nappe of a cone does not belong to the surface. */
 static inline int is_convex(const elliptic_question *q)
 {
@@ -118,9 +94,9 @@ static inline void load_foot(elliptic_question *q)
     f->m = t->n > p->error && is_convex(q)
                ? 0
                : n / (f->rho * t->q * (1 - 2 * turned));
-    f->least = 1 - f->m * p->norm * p->norm;
-    if (f->least < 0.5 && fabs(t->n) > p->error)
-        f->least = least_eigenvalue(p, copysign(f->m, t->n));
+    f->least = 1 - f->m * (t->n > p->error    ? t->down
+                           : t->n < -p->error ? t->most
+                                              : p->norm * p->norm);
 }
 
 /* Whether the nearest point is near Y for a small l. */
