@@ -40,9 +40,6 @@ typedef struct {
 #define CYLINT_ANGLE_STEP 0x1p-20
 #define CYLINT_ROUGH_STEP 0x1p-6
 
-/* The error with which an oblique cone is made a right one. */
-#define CYLINT_UPRIGHT 0x1p-40
-
 enum { CYLINT_SECULAR_STEPS = 40, CYLINT_VELOCITY_STEPS = 12 };
 
 /* A point in the coordinates x, y, z of a shape.  Beside the other nappe of a
@@ -170,8 +167,10 @@ typedef struct {
 } upright;
 
 /* The velocity is (xx + s, xy, yy + s)^-1 (xz, yz) for the s that zz becomes.  This
- * is zz - (bx, by).(xz, yz): Newton's iteration leads down to it. */
-static inline void make_upright(upright *u, const elliptic_place *p)
+ * is zz - (bx, by).(xz, yz): Newton's iteration leads down to it, and ends where it is
+ * nearer than the square of `last`. */
+static inline void make_upright(upright *u, const elliptic_place *p,
+                                double last)
 {
     const double xx = cylint_dot(p->X, p->X), xy = cylint_dot(p->X, p->Y),
                  yy = cylint_dot(p->Y, p->Y),
@@ -180,8 +179,7 @@ static inline void make_upright(upright *u, const elliptic_place *p)
                  zz = p->slope * p->slope * cylint_dot(p->Z, p->Z);
     double s = zz, over = zz, bx = 0, by = 0, b_b = 0;
     *u = (upright){xx, xy, yy, zz, p->x, p->y, p->rho, 0, 0, 1, 0};
-    for (int i = 0; i < CYLINT_VELOCITY_STEPS && over > CYLINT_UPRIGHT * zz;
-         i++) {
+    for (int i = 0; i < CYLINT_VELOCITY_STEPS && over > last * last * zz; i++) {
         const double inverse = 1 / ((xx + s) * (yy + s) - xy * xy);
         bx = ((yy + s) * xz - xy * yz) * inverse;
         by = ((xx + s) * yz - xy * xz) * inverse;
@@ -260,12 +258,13 @@ static inline angle secular_angle(double along, double across, double excess,
 ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
                              const elliptic_place *p, int rough)
 {
+    const double last = rough ? CYLINT_ROUGH_STEP : CYLINT_ANGLE_STEP;
     upright u;
-    make_upright(&u, p);
+    make_upright(&u, p, last);
     const principal_axes H = axes_of(u.xx + u.zz, u.xy, u.yy + u.zz);
-    const angle e = secular_angle(
-        H.most / H.least * (H.c * u.y - H.s * u.x), H.c * u.x + H.s * u.y,
-        H.gap / H.least * u.rho, rough ? CYLINT_ROUGH_STEP : CYLINT_ANGLE_STEP);
+    const angle e =
+        secular_angle(H.most / H.least * (H.c * u.y - H.s * u.x),
+                      H.c * u.x + H.s * u.y, H.gap / H.least * u.rho, last);
     if (isnan(e.cos))
         return 0;
     const double x = H.c * e.sin - H.s * e.cos, y = H.s * e.sin + H.c * e.cos,
