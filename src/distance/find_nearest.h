@@ -243,16 +243,27 @@ ASIDE void nearest_to_bounded(vnearest *n, half_plane *m, const shape_lanes *s,
 }
 
 /* Of an unbounded shape.  Beyond the apex of a double cone its other nappe is
- * nearest: *s then gets the numbers of that one. */
+ * nearest: *s then gets the numbers of that one.  Beyond that of a nappe the apex
+ * is: this decides it where the apex is an end. */
 static void nearest_to_unbounded(vnearest *n, half_plane *m, shape_lanes *s,
                                  int kind, int is_nappe)
 {
     pairs_load_rho(m);
     const vpair rho = m->rho;
+    const int end = s->r[1].hi == 0;
     const double C = s->cosine.hi, S = s->sine.hi, M = margin_of(m);
-    const double c = C * s->r[0].hi + S * rounded(m->z);
+    const double c = C * s->r[0].hi + S * rounded(m->z),
+                 foot = is_nappe ? C * c + S * S * rounded(rho) : fabs(c);
     if (cylint_is_tapered(kind))
-        n->certain = is_nappe ? C * c + S * S * rounded(rho) > M : fabs(c) > M;
+        n->certain = foot > M;
+    if (foot < -M && s->r[end].hi == 0) {
+        n->certain = 1;
+        n->feature = CYLINT_FEATURE_RIM0 + end;
+        n->d = pairs_rounded(
+            pairs_length(rho, pairs_trimmed(end ? m->above : m->z), m).v,
+            m->error);
+        return;
+    }
     if (cylint_is_tapered(kind) && !is_nappe && c < 0) {
         s->sine = opposite(s->sine);
         s->r[0] = opposite(s->r[0]);
