@@ -268,10 +268,13 @@ ASIDE int find_lateral_angle(angle *at, tangent_plane *t,
     if (isnan(e.cos))
         return 0;
     const double x = H.c * e.sin - H.s * e.cos, y = H.s * e.sin + H.c * e.cos,
-                 back = u.k * (u.bx * x + u.by * y) + u.f, c = x + back * u.bx,
-                 s = y + back * u.by, scale = 1 / sqrt(c * c + s * s);
-    const double size = u.f * u.f * p->norm, /* of X, Y and Z, at least */
-        error = 64 * p->relative * size * size;
+                 xy = u.k * u.bx * u.by,
+                 c = (1 + u.k * u.bx * u.bx) * x + (xy * y + u.f * u.bx),
+                 s = (1 + u.k * u.by * u.by) * y + (xy * x + u.f * u.by),
+                 scale = 1 / sqrt(c * c + s * s);
+    /* f errs by f^2 roundings; ten times what is needed */
+    const double size = u.f * u.f * p->norm,
+                 error = 64 * p->relative * size * size;
     t->most = H.most - u.zz + error;
     t->down = u.zz + error;
     *at = (angle){c * scale, s * scale};
