@@ -74,8 +74,7 @@ ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
                                   const double point[3], unsigned want,
                                   unsigned undecided, cylint_closest *answer)
 {
-    if (!cylint_surface_is_whole(shape->ends) || undecided & CYLINT_WANT_PART ||
-        cylint_is_elliptic(shape->kind)) {
+    if (!cylint_surface_is_whole(shape->ends) || undecided & CYLINT_WANT_PART) {
         const int feature = cylint_boundary_feature(shape, point);
         if (feature == CYLINT_NO_FEATURE)
             return want;
@@ -102,9 +101,7 @@ CYLINT_INLINE unsigned by_pairs(const cylint_shape *shape,
             ? CYLINT_OF_FMA(cylint_elliptic_kernels)->pairs
             : CYLINT_OF_FMA(cylint_one_distances)->pairs;
     const unsigned undecided = in_pairs(shape, point, want, answer);
-    return undecided & CYLINT_IS_ON_SURFACE ||
-                   (undecided & CYLINT_ON_SURFACE &&
-                    cylint_contains(shape, point) == 0)
+    return undecided & CYLINT_ON_SURFACE && cylint_contains(shape, point) == 0
                ? answer_on_boundary(shape, point, want, undecided, answer)
                : undecided;
 }

@@ -62,8 +62,6 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
         return all;
     if (!locate_question(&q, shape, point, 0))
         return all;
-    if (q.side == 0 && cylint_contains(shape, point) == 0)
-        return want | CYLINT_IS_ON_SURFACE;
     if (find_elliptic_feature(&q) == CYLINT_NO_FEATURE)
         return all;
     effort = first_effort(&q, want);
@@ -71,14 +69,16 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
         answer_in_pairs(&a, &q, point, effort, want);
         certain = m_any(rounds(a.distance, &d));
     } while (!certain && effort++ < 2);
-    /* untaken 1 of 6: every known certain distance has the sign of the side */
-    if (!certain || d * q.side > 0 || !(fabs(d) >= CYLINT_DISTANCE_LEAST) ||
-        (want & CYLINT_WANT_POINT && !rounds_to(a.point, answer->point)) ||
-        (want & CYLINT_WANT_NORMAL && !rounds_to(a.normal, answer->normal)))
+    if (want & CYLINT_WANT_NORMAL && !rounds_to(a.normal, answer->normal))
         return all;
-    answer->distance = cylint_surface_is_whole(shape->ends) ? d : fabs(d);
     if (want & CYLINT_WANT_PART)
         cylint_write_feature(shape, q.feature, answer);
+    /* untaken 1 of 6: every known certain distance has the sign of the side */
+    if (!certain || d * q.side > 0 || !(fabs(d) >= CYLINT_DISTANCE_LEAST))
+        return all & ~(unsigned)(CYLINT_WANT_PART | CYLINT_WANT_NORMAL);
+    if (want & CYLINT_WANT_POINT && !rounds_to(a.point, answer->point))
+        return all;
+    answer->distance = cylint_surface_is_whole(shape->ends) ? d : fabs(d);
     return 0;
 }
 

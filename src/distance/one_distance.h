@@ -8,12 +8,10 @@
 #include "../shapes/shape_facts.h"
 #include "cylint_distance.h"
 
-/* Bits beside those of wanted members: the distance; the distance can be 0; it
- * is 0. */
+/* Bits beside those of wanted members: the distance; the distance can be 0. */
 enum {
     CYLINT_WANT_DISTANCE = CYLINT_WANT_T,
     CYLINT_ON_SURFACE = CYLINT_WANT_NEAREST,
-    CYLINT_IS_ON_SURFACE = CYLINT_WANT_PHI,
     CYLINT_WANT_GEOMETRY = CYLINT_WANT_POINT | CYLINT_WANT_NORMAL
 };
 
@@ -27,8 +25,7 @@ typedef int cylint_head_tail_distance(const cylint_shape *shape,
 /* Writes the members of `want` that are certain, and returns the others, in pairs,
  * with triples near the surface.  Returns CYLINT_ON_SURFACE too where the distance
  * is undecided and the point can be on the surface: other members are then right if
- * it is and the surface is whole.  Of elliptic kinds also CYLINT_IS_ON_SURFACE.
- * want: CYLINT_WANT_DISTANCE too. */
+ * it is and the surface is whole.  want: CYLINT_WANT_DISTANCE too. */
 typedef unsigned cylint_in_pairs(const cylint_shape *shape,
                                  const double point[3], unsigned want,
                                  cylint_closest *answer);
@@ -55,9 +52,9 @@ double cylint_elliptic_distance(const cylint_shape *shape,
 double cylint_distance_alone(const cylint_shape *shape, const double point[3],
                              cylint_closest *answer, int *proved);
 
-/* pairs: of a prepared shape, all members or none.  safety: a lower bound of the
- * absolute distance from it, in doubles, in any rounding mode; 0 or less, or NaN,
- * where there is none. */
+/* pairs: of a prepared shape, all members or none; where the distance is undecided,
+ * part and normal or none.  safety: a lower bound of the absolute distance from it,
+ * in doubles, in any rounding mode; 0 or less, or NaN, where there is none. */
 typedef struct {
     cylint_in_pairs *pairs;
     double (*safety)(const cylint_shape *shape, const double point[3]);
