@@ -176,7 +176,18 @@ TEST(nearly_all_answers_in_leaning_cones_are_certain)
     }
 }
 
-/* Of the points of the last test. */
+TEST(pairs_decide_part_and_normal_on_a_cap)
+{
+    const cylint_shape s = shape_of("ecylinder 0 0 0  2 0 0  0 1 0  0 0 3");
+    const double p[3] = {0.5, 0.25, 0};
+    const unsigned left =
+        CYLINT_WANT_DISTANCE | CYLINT_WANT_POINT | CYLINT_ON_SURFACE;
+    cylint_closest a;
+    CHECK(cylint_elliptic_kernels_plain.pairs(&s, p, ALL, &a) == left &&
+          a.feature == CYLINT_FEATURE_CAP0 && a.normal[2] == -1);
+}
+
+/* Of the points of the families. */
 TEST(the_safety_is_close_to_the_distance)
 {
     for (int form = 0; form < FORMS; form++)
