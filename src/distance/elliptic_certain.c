@@ -58,11 +58,9 @@ static unsigned elliptic_in_pairs(const cylint_shape *shape,
     double d;
     int effort, certain;
     const unsigned all = want | CYLINT_ON_SURFACE;
-    if (want & CYLINT_WANT_GEOMETRY && has_tiny(shape, point))
-        return all;
-    if (!locate_question(&q, shape, point, 0))
-        return all;
-    if (find_elliptic_feature(&q) == CYLINT_NO_FEATURE)
+    if ((want & CYLINT_WANT_GEOMETRY && has_tiny(shape, point)) ||
+        !locate_question(&q, shape, point, 0) ||
+        find_elliptic_feature(&q) == CYLINT_NO_FEATURE)
         return all;
     effort = first_effort(&q, want);
     do {
