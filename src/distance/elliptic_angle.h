@@ -12,15 +12,15 @@
  * inside because every tangent plane is farther than the surface.
  *
  * Of a cylinder this is the distance of a point from an ellipse in a plane, of a
- * cone nearly that, if the gradients X and Y of x and y are perpendicular to that of
- * rho, Z: make_upright().  A rim is the ellipse of a right cylinder
- * (project_on_end()).  The point is Q = Y + t N for the nearest point Y.  Turned so
- * that X and Y are perpendicular, too, this is
+ * cone nearly that, if the gradients X and Y of x and y are perpendicular to that
+ * of rho, Z (make_upright()).  A rim is the ellipse of a right cylinder
+ * (project_on_end()).  The point Q is the nearest point plus t N.  If X and Y are
+ * perpendicular, too, this is
  *     cos = x / (rho + t (X.X + Z.Z)), sin = y / (rho + t (Y.Y + Z.Z)).
  * The root t of cos^2 + sin^2 = 1 for which both divisors are positive is that of
- * the nearest point of all: it is computed as that of sqrt(cos^2 + sin^2) = 1, whose
- * inverse is nearly a straight line, by Newton's iteration from the left.  [Eberly
- * 2013, "Distance from a point to an ellipse".]
+ * the nearest point of all.  It is computed as that of sqrt(cos^2 + sin^2) = 1,
+ * whose inverse is nearly a straight line, by Newton's iteration from the left.
+ * [Eberly 2013, "Distance from a point to an ellipse".]
  *
  * Whether it is the nearest of all does not depend on that iteration: see
  * elliptic_certainty.h.
@@ -158,17 +158,16 @@ CYLINT_INLINE double slope_of_height(const tangent_plane *t,
 
 /* ------------------------------------------------------------ the angle -- */
 
-/* The products of X, Y and Z, of which Z is perpendicular to X and Y, and the values
- * of x, y and rho at the point.  They follow from those of the shape by a hyperbolic
- * rotation of the velocity (bx, by), which leaves x^2 + y^2 - rho^2 as it is.  f, k:
- * its factors. */
+/* The products of X, Y and Z, where Z is perpendicular to X and Y, and x, y and rho
+ * of the point.  A hyperbolic rotation of those of the shape leads to them and
+ * leaves x^2 + y^2 - rho^2 as it is.  (bx, by): its velocity; f, k: its factors. */
 typedef struct {
     double xx, xy, yy, zz, x, y, rho, bx, by, f, k;
 } upright;
 
 /* The velocity is (xx + s, xy, yy + s)^-1 (xz, yz) for the s that zz becomes.  This
- * is zz - (bx, by).(xz, yz): Newton's iteration leads down to it, and ends where it is
- * nearer than the square of `last`. */
+ * is zz - (bx, by).(xz, yz): Newton's iteration leads down to it, and ends where it
+ * is nearer than the square of `last`. */
 static inline void make_upright(upright *u, const elliptic_place *p,
                                 double last)
 {
@@ -227,10 +226,10 @@ static inline principal_axes axes_of(double xx, double xy, double yy)
                             copysign(half < 0 ? large : small, xy)};
 }
 
-/* cos and sin for H_y / H_x times x, y, and H_y / H_x - 1 times rho, with the sums
- * H_x < H_y that are the factors of t; s is rho + t H_y.  The iteration ends after a
- * relative step of `last`.  NaN between two nearest points on an axis: sqrt() of a
- * NaN would set errno under Windows. */
+/* cos and sin for H_y / H_x times x, y, and H_y / H_x - 1 times rho.  H_x < H_y are
+ * the factors of t; s is rho + t H_y.  The iteration ends after a relative step of
+ * `last`.  NaN between two nearest points on an axis: sqrt() of a NaN would set
+ * errno under Windows. */
 static inline angle secular_angle(double along, double across, double excess,
                                   double last)
 {

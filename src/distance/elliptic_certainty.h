@@ -14,10 +14,10 @@
  * Let `least`, at most the least eigenvalue of 1 + m S, be positive.  Then no point
  * that is nearer than Y is farther from it than 2 l |u'| / least.  With Su' = V and
  * u'.V = 1, the square of no distance is less than h^2 + m l^2 - (m l)^2 V.V /
- * least.  Bounds on the eigenvalues of S and an upper bound of |m| give `least`.  On
- * a rim, Y.SY is the square of its factor.  Outside a convex shape the first bound
- * is right for least = 1, because projections on it reduce distances, and no
- * distance is below h.
+ * least.  Bounds on |m| and on the eigenvalues of S give `least`.  On a rim, Y.SY
+ * is the square of its factor.  Outside a convex shape the first bound is right for
+ * least = 1, because projections on it reduce distances, and no distance is below
+ * h.
  *
  * A hyperbolic rotation (make_upright()) leaves S as it is.  So whatever its
  * velocity, no eigenvalue is above that of X X^T + Y Y^T or below -Z.Z afterwards.
