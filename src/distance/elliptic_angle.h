@@ -176,6 +176,7 @@ static inline void make_upright(upright *u, const elliptic_place *p,
                  xz = p->slope * cylint_dot(p->X, p->Z),
                  yz = p->slope * cylint_dot(p->Y, p->Z),
                  zz = p->slope * p->slope * cylint_dot(p->Z, p->Z);
+    /* mutant '0' -> '1': no effect, a step writes them */
     double s = zz, over = zz, bx = 0, by = 0, b_b = 0;
     *u = (upright){xx, xy, yy, zz, p->x, p->y, p->rho, 0, 0, 1, 0};
     for (int i = 0; i < CYLINT_VELOCITY_STEPS && over > last * last * zz; i++) {
