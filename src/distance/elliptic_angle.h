@@ -167,7 +167,7 @@ typedef struct {
 
 /* The velocity is (xx + s, xy, yy + s)^-1 (xz, yz) for the s that zz becomes.  This
  * is zz - (bx, by).(xz, yz): Newton's iteration leads down to it, and ends where it
- * is nearer than the square of `last`. */
+ * is nearer than the square of `last`.  Here b is d / det. */
 static inline void make_upright(upright *u, const elliptic_place *p,
                                 double last)
 {
@@ -176,20 +176,22 @@ static inline void make_upright(upright *u, const elliptic_place *p,
                  xz = p->slope * cylint_dot(p->X, p->Z),
                  yz = p->slope * cylint_dot(p->Y, p->Z),
                  zz = p->slope * p->slope * cylint_dot(p->Z, p->Z);
-    /* mutant '0' -> '1': no effect, a step writes them */
-    double s = zz, over = zz, bx = 0, by = 0, b_b = 0;
+    double s = zz, det, dx, dy, d_d;
     *u = (upright){xx, xy, yy, zz, p->x, p->y, p->rho, 0, 0, 1, 0};
-    for (int i = 0; i < CYLINT_VELOCITY_STEPS && over > last * last * zz; i++) {
-        const double inverse = 1 / ((xx + s) * (yy + s) - xy * xy);
-        bx = ((yy + s) * xz - xy * yz) * inverse;
-        by = ((xx + s) * yz - xy * xz) * inverse;
-        b_b = bx * bx + by * by;
-        over = s - zz + bx * xz + by * yz;
-        s -= over / (1 - b_b);
+    for (int i = 0;; i++) {
+        det = (xx + s) * (yy + s) - xy * xy;
+        dx = (yy + s) * xz - xy * yz;
+        dy = (xx + s) * yz - xy * xz;
+        d_d = dx * dx + dy * dy;
+        const double over = (s - zz) * det + dx * xz + dy * yz;
+        if (i >= CYLINT_VELOCITY_STEPS || !(over > last * last * zz * det))
+            break;
+        s -= over * det / (det * det - d_d);
     }
-    if (!(b_b > 0 && b_b < 1))
+    if (!(d_d > 0 && d_d < det * det))
         return;
-    const double f = 1 / sqrt(1 - b_b), k = f * f / (1 + f),
+    const double bx = dx / det, by = dy / det,
+                 f = fabs(det) / sqrt(det * det - d_d), k = f * f / (1 + f),
                  hx = bx * xx + by * xy, hy = bx * xy + by * yy,
                  bh = bx * hx + by * hy, bz = bx * xz + by * yz;
     /* X + bx V and Y + by V with V = k (bx X + by Y) - f Z */
