@@ -27,7 +27,10 @@
  *
  * the line hits the cylinder only if (D + s e).w is in [0, ww] and s in the
  * domain.  All is multiplied by nn, so that a line parallel to the axis needs no
- * division; there the errors below are merely larger beside nn.
+ * division; there the errors below are merely larger beside nn.  With A, the axial
+ * distance from the end on the line's side to the point at T, and B, how far T is
+ * from the domain times nn, this is A <= |e.w| C and B <= C.  Squares are compared,
+ * so that the verdict does not wait for a root.
  *
  * Errors.  u = 2^-23, of floats in any rounding mode; W >= |w|, E >= |e|, N = |n|
  * <= E W.  K bounds D.  Cylinders lie within 2^11 of the centre, as a sum of sizes
@@ -52,14 +55,16 @@
  *    2 u K E W^2; roundings from t to s, to s nn, and from T / nn to s and t
  *    are 9 u K E W^2.
  *    In all less than 3 k E W^2.
+ *  - The squares of A and B and the products beside them are rounded by less than
+ *    2^-17 together, and C^2 is computed 2^-16 of it larger.  A number that
+ *    overflows is infinite, and then the greater side is infinite.
  *  - (D.w) nn + (e.w) s nn: 13 u K E^2 W^3 for the products, 31 from T, and
  *    (3 u K + q_error) W nn for the longer ends: in all less than 4 k E^2 W^3.
  *  - If the line is within r of the axis before it passes the end of the
- *    cylinder on its side, it enters there, at s nn = T - A / |e.w|, where A is
- *    the axial distance from that end to the point at T.  Where that matters,
- *    |s nn - T| < K E W^2 / 2, so the error of e.w adds 1.5 u K E^2 W^3 to A,
- *    and two sums add 4: with the 47 above still less than 4 k E^2 W^3.  The
- *    quotient, the difference and the reciprocal of nn round by 4 u K E W^2,
+ *    cylinder on its side, it enters there, at s nn = T - A / |e.w|.  Where that
+ *    matters, |s nn - T| < K E W^2 / 2, so the error of e.w adds 1.5 u K E^2 W^3
+ *    to A, and two sums add 4: with the 47 above still less than 4 k E^2 W^3.
+ *    The quotient, the difference and the reciprocal of nn round by 4 u K E W^2,
  *    which with the 34 above is still less than 3 k E W^2.
  *
  * A capsule with the same axis and radius: where the line passes the axis nearest
@@ -68,11 +73,9 @@
  *
  *   A <= |e| |w| C,  that is  A^2 <= ee ww C^2,
  *
- * in place of A <= |e.w| C, and the ends are not longer.  The error of A is that
- * above.  C^2 = (g2 - f^2) ww, ee and ww are rounded by less than 2^-17 together.
- * A number that overflows is infinite, and then the greater side is infinite.
- * The line enters where it is within r of the axis, and not before the plane
- * that is r beyond the end on its side.
+ * in place of A <= |e.w| C, and the ends are not longer.  The line enters where it
+ * is within r of the axis, and not before the plane that is r beyond the end on its
+ * side.
  *
  * These errors are not small beside W^2 nn and W^3 nn for lines nearly parallel
  * to the axis.  A number flushed to zero is less than k E W, since W >= 1 in
@@ -180,19 +183,19 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const cylint_leaf *b,
     }
     const vf Dw = f_dot(D, s->w), ew = f_dot(e, s->w);
     const vf T = f_mad(Dw, ew, -(f_dot(D, e) * ww));
-    const vf CC = (gg - ff) * ww, C = f_sqrt(CC);
+    const vf CC = (gg - ff) * (ww * f_set(1 + 0x1p-16f)), zero = f_set(0);
     const vf middle = ww * nn * f_set(0.5f), kEWW = kEW * s->W;
     const vf offset_error = kEWW * EW * f_set(4), T_error = kEWW * f_set(3);
     const vf offset = f_mad(Dw, nn, ew * T) - middle, distance = f_abs(offset);
     vf beyond = middle + offset_error; /* the end on the line's side */
-    if (bound == LEAF_CAPSULE) {
-        const vf A = f_higher(distance - beyond, f_set(0));
-        const vf ee = f_dot(e, e) * f_set(1 + 0x1p-16f);
-        hit &= f_not_greater(A * A, ee * ww * CC);
+    const vf A = f_higher(distance - beyond, zero);
+    const vf after = (T - T_error) - l->last * nn;
+    const vf before = l->first * nn - (T + T_error);
+    const vf B = f_higher(after, f_higher(before, zero));
+    const vf slope2 = bound == LEAF_CAPSULE ? f_dot(e, e) * ww : ew * ew;
+    hit &= f_not_greater(A * A, slope2 * CC) & f_not_greater(B * B, CC);
+    if (bound == LEAF_CAPSULE)
         beyond = f_mad(r * s->W, nn, beyond);
-    } else {
-        hit &= f_not_greater(distance, f_mad(f_abs(ew), C, beyond));
-    }
     if (certain) {
         const vf ri = r - f_set(5);
         const vf gi = f_mad(ri * ri, nn, -((ri + ri + l->k) * (kEW * EW)));
@@ -202,11 +205,9 @@ CYLINT_INLINE unsigned test_lanes(const cylinders *s, const cylint_leaf *b,
                    greater(T - T_error, l->first * nn) &
                    greater(l->last * nn, T + T_error);
     }
-    const vf reach = T_error + C;
-    hit &= f_not_greater(T - reach, l->last * nn);
-    hit &= f_not_greater(l->first * nn, T + reach);
     if (!hit || !least)
         return hit;
+    const vf reach = T_error + f_sqrt(CC);
     /* entry_shift is infinite or NaN where e.w is 0: f_higher() ignores it */
     const vf per_nn = f_set(1) / nn, per_ew = f_set(1) / f_abs(ew);
     const vf entry_shift = (f_flipped(offset, ew) + beyond) * per_ew;
@@ -354,14 +355,14 @@ CYLINT_INLINE unsigned test_line(const cylint_leaf *b, const cylinders *all,
                                  unsigned *certain)
 {
     const double steps = cylint_leaf_steps(b);
-    float far = 0;
     leaf_line l;
+    float q[3];
     EACH(j, 3) {
-        const float q = (float)((line->o[j] - (double)b->center[j]) * steps);
-        l.q[j] = f_set(q);
+        q[j] = (float)((line->o[j] - (double)b->center[j]) * steps);
+        l.q[j] = f_set(q[j]);
         l.e[j] = f_set(along->d[j]);
-        far += fabsf(q);
     }
+    const float far = (fabsf(q[0]) + fabsf(q[1])) + fabsf(q[2]);
     if (!(is_fit(along->E) & (far < FAR_LIMIT)))
         return test_far_line(b, line, least);
     l.E = f_set(along->E);
