@@ -22,7 +22,6 @@ enum { BINS = 16, SAMPLES = 2048 };
 
 /* A box, in vectors of one or four lanes.  A fourth lane holds what follows in
  * memory, and is not used. */
-enum { PARTS = WIDTH == 1 ? 3 : 1 };
 typedef struct {
     vf lower[PARTS], upper[PARTS];
 } bounds;

@@ -4,12 +4,13 @@
  * The only header of the bounding volume hierarchy with intrinsics.  vf has the
  * operators + - * / of C; other operations are functions.  WIDTH, the number of
  * lanes, divides 8; with CYLINT_FOUR_LANES it divides 4.  vi holds as many 32-bit
- * integers, vm as many truth values.
+ * integers, vm as many truth values.  PARTS vectors hold three numbers.
  *
+ *   f_part(x, k)         part k of three numbers x[]; zeros follow them
  *   f_mad(x, y, z)       x y + z, rounded once or twice: results are used with
  *                        error bounds, so builds may differ
  *   f_lower, f_higher    the lesser or greater of x and y; y if x is NaN
- *   f_flipped(x, y)      -x where y is negative, else x
+ *   f_flipped(x, y)      -x where the sign of y is set, else x
  *   f_from_bits(x, m)    the integers x & m as floats
  *   f_store_keys(p, x)   stores integers in the order of the floats
  *   i_or_where(x, m, y)  x | y where m, else x
@@ -46,6 +47,10 @@ static inline vf f_from_bytes(const uint8_t *x)
     const __m128i bytes = _mm_loadl_epi64((const __m128i *)(const void *)x);
     return _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(bytes));
 }
+static inline vf f_part(const float x[3], int k)
+{
+    return _mm256_setr_ps(x[k], x[k + 1], x[k + 2], 0, 0, 0, 0, 0);
+}
 static inline vf f_mad(vf x, vf y, vf z) { return _mm256_fmadd_ps(x, y, z); }
 static inline vm m_not_greater(vf x, vf y)
 {
@@ -77,6 +82,10 @@ static inline vf f_from_bytes(const uint8_t *x)
     const __m128i zero = _mm_setzero_si128();
     const __m128i s = _mm_unpacklo_epi8(_mm_cvtsi32_si128(four), zero);
     return _mm_cvtepi32_ps(_mm_unpacklo_epi16(s, zero));
+}
+static inline vf f_part(const float x[3], int k)
+{
+    return _mm_setr_ps(x[k], x[k + 1], x[k + 2], 0);
 }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
 static inline vm m_not_greater(vf x, vf y) { return _mm_cmpngt_ps(x, y); }
@@ -136,6 +145,7 @@ typedef uint32_t vi;
 typedef unsigned vm;
 static inline vf f_set(float x) { return x; }
 static inline vf f_load(const float *x) { return *x; }
+static inline vf f_part(const float x[3], int k) { return x[k]; }
 static inline vi i_load(const uint32_t *x) { return *x; }
 static inline vi i_load_shorts(const uint16_t *x) { return *x; }
 static inline vi i_right(vi x, int bits) { return x >> bits; }
@@ -154,7 +164,7 @@ static inline vf f_lower(vf x, vf y) { return x < y ? x : y; }
 static inline vf f_higher(vf x, vf y) { return x > y ? x : y; }
 static inline vf f_mad(vf x, vf y, vf z) { return x * y + z; }
 static inline vf f_abs(vf x) { return fabsf(x); }
-static inline vf f_flipped(vf x, vf y) { return y < 0 ? -x : x; }
+static inline vf f_flipped(vf x, vf y) { return signbit(y) ? -x : x; }
 static inline vf f_sqrt(vf x) { return sqrtf(x); }
 static inline vm m_not_greater(vf x, vf y) { return !(x > y); }
 static inline unsigned f_bits(vm m) { return m; }
@@ -164,6 +174,8 @@ static inline vi i_or_where(vi x, vm m, vi y) { return m ? x | y : x; }
 static inline void i_store(uint32_t *x, vi v) { *x = v; }
 
 #endif
+
+enum { PARTS = WIDTH == 1 ? 3 : 1 };
 
 #ifdef EIGHT_LANES
 static inline int i_keep_four(uint32_t *to, const uint32_t *x, unsigned bits)

@@ -17,7 +17,7 @@
  * -x r, minus and plus a bound of the errors.
  */
 typedef struct {
-    float r[3], enter[3], leave[3];
+    float r[PARTS * WIDTH], enter[PARTS * WIDTH], leave[PARTS * WIDTH];
     int near_face[3]; /* where it enters boxes: 0, or FACES for the upper one */
     float first, last;   /* the domain; its t is the line's t ... */
     uint32_t last_key;   /* of last: order_key() */
@@ -34,10 +34,10 @@ typedef struct {
  *
  *   r has an error of u r, so t one of 2 u S |r| and, as x r is computed from
  *   another r, one of u |x r|; F is rounded once or, without fused operations,
- *   twice, by 3 u S; x r is rounded twice, F r once if it is not fused, and
- *   their difference once,
+ *   twice, by 3 u S; x r is rounded twice, F r once if it is not fused, their
+ *   difference once, and the end of the domain beside t once,
  *
- * in all less than 10 u (|x| + S) |r|.  set_box_test() allows 16 u.  A component of
+ * in all less than 11 u (|x| + S) |r|.  set_box_test() allows 16 u.  A component of
  * d below 2^-60 of the largest is replaced by that; on a length of 2^10 S this
  * moves the line by less than another 2^-21 S, which the 16 u cover.  A number
  * flushed to zero is less than FLT_MIN.  The allowance is at least 2^-19 of x r
@@ -118,18 +118,22 @@ static inline void set_box_test(ray_state *s, const cylint_bvh *bvh,
                                 float x_error)
 {
     const float xy = larger_float(fabsf(d[0]), fabsf(d[1]));
-    const float least = larger_float(xy, fabsf(d[2])) * 0x1p-60f;
-    EACH(j, 3) {
-        const float size = larger_float(fabsf(d[j]), least);
-        const float per_size = 1 / size, r = copysignf(per_size, d[j]);
-        const float at = -x[j] * r;
-        const float off = fabsf(x[j]) * 0x1p-19f + (bvh->pad + x_error);
-        const float e = per_size * off + 16 * FLT_MIN;
-        s->near_face[j] = FACES * (signbit(d[j]) != 0);
-        s->r[j] = r;
-        s->enter[j] = e < 0x1p100f ? at - e : -HUGE_VALF;
-        s->leave[j] = e < 0x1p100f ? at + e : HUGE_VALF;
+    const vf least = f_set(larger_float(xy, fabsf(d[2])) * 0x1p-60f);
+    EACH(k, PARTS) {
+        const vf to = f_part(d, k), from = f_part(x, k);
+        const vf per_size = f_set(1) / f_higher(f_abs(to), least);
+        const vf r = f_flipped(per_size, to), at = from * r;
+        const vf off =
+            f_mad(f_abs(from), f_set(0x1p-19f), f_set(bvh->pad + x_error));
+        const vf e = f_mad(per_size, off, f_set(16 * FLT_MIN));
+        const vm overflows = m_not_greater(f_set(0x1p100f), e);
+        const vf error = m_select(overflows, f_set(HUGE_VALF), e);
+        f_store(s->r + k, r);
+        f_store(s->enter + k, -at - error);
+        f_store(s->leave + k, error - at);
     }
+    EACH(j, 3)
+        s->near_face[j] = signbit(d[j]) ? FACES : 0;
 }
 
 /* The key of -0 is not that of 0; nor is that of a subnormal number, which may be
@@ -142,7 +146,7 @@ static inline float with_one_zero(float t)
 /* Reduces the domain after tmax was reduced. */
 static inline void shorten(ray_state *s, double tmax)
 {
-    s->last = with_one_zero(cylint_float_above(tmax - s->t0 + s->t0_error));
+    s->last = with_one_zero((float)(tmax - s->t0 + s->t0_error));
     s->last_key = order_key(s->last);
 }
 
@@ -169,9 +173,8 @@ static inline void start_line(ray_state *s, const cylint_bvh *bvh,
         x[j] = (float)o[j];
         d[j] = (float)line->d[j];
     }
-    set_box_test(s, bvh, x, d, cylint_float_above(o_error));
-    s->first =
-        with_one_zero(cylint_float_below(line->tmin - s->t0 - s->t0_error));
+    set_box_test(s, bvh, x, d, (float)o_error);
+    s->first = with_one_zero((float)(line->tmin - s->t0 - s->t0_error));
     shorten(s, line->tmax);
 }
 

@@ -412,7 +412,7 @@ static void test_shape(ray_test *r, unsigned rank)
 
 /* Tests the shapes beside the hierarchy, or the shape that is the primitive.
  * Returns whether the ray needs no other test. */
-static int test_others(ray_test *r)
+CYLINT_INLINE int test_others(ray_test *r)
 {
     const cylint_embree_data *data = r->data;
     const int is_one = !data->traversal;
@@ -425,7 +425,7 @@ static int test_others(ray_test *r)
     return is_one;
 }
 
-static void trace_single(ray_test *r)
+CYLINT_INLINE void trace_single(ray_test *r)
 {
     if (r->data->traversal->line(&r->data->bvh, &r->q.line, test_leaf, r,
                                  r->any &&
