@@ -176,8 +176,9 @@ static void draw_beside(const cylint_leaf *b, double far, double q[3])
 static void check_lanes(double far)
 {
     cylint_leaf b;
-    traversal t = {.error = 0};
-    double least[CYLINT_LEAF_SIZE], from[3];
+    double from[3], distance = HUGE_VAL;
+    float least[CYLINT_LEAF_SIZE];
+    traversal t = {.distance = &distance};
     long double q[3], K = (long double)CYLINDER_REACH;
     draw_leaf(&b);
     const double steps = (double)cylint_leaf_steps(&b);
@@ -192,19 +193,23 @@ static void check_lanes(double far)
         K += fabsl(q[j]);
     }
     b.always = one_of(4) ? 0 : 1;
-    test_lanes_of(&t, &b, least);
+    CHECK(test_lanes_of(&t, &b, least) == (1u << CYLINT_LEAF_SIZE) - 1);
     const long double coarse =
         K < (long double)FAR_LIMIT ? 0x1p-18 * K : 0x1p-47 * K + 2 + 0x1p20 / K;
     for (int lane = 0; lane < CYLINT_LEAF_SIZE; lane++) {
         const double apart = (double)(distance_to_lane(&b, lane, q) / steps);
-        const double lacks = (double)(coarse / steps) + 2 * t.error;
+        const double lacks =
+            (double)(coarse / steps) + 2 * t.error + 0x1p-21 * apart;
         const int is_certain = !(b.always >> lane & 1);
-        if (!CHECK(least[lane] >= 0 &&
-                   (least[lane] == 0 || least[lane] <= apart)))
-            REPORT("far %g: bound %a above %a", far, least[lane], apart);
-        if (!CHECK(is_certain ? least[lane] >= apart - lacks
-                              : least[lane] == 0))
-            REPORT("far %g: bound %a far below %a", far, least[lane], apart);
+        const double bound = (double)least[lane];
+        if (!CHECK(bound >= 0 && (bound == 0 || bound <= apart)))
+            REPORT("far %g: bound %a above %a", far, bound, apart);
+        if (!CHECK(is_certain ? bound >= apart - lacks : bound == 0))
+            REPORT("far %g: bound %a far below %a", far, bound, apart);
+        distance = fmax(apart, 0);
+        CHECK(test_lanes_of(&t, &b, least) >> lane & 1);
+        distance = bound * (1 - 0x1p-52);
+        CHECK(bound == 0 || !(test_lanes_of(&t, &b, least) >> lane & 1));
     }
 }
 

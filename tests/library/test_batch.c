@@ -352,7 +352,7 @@ TEST(known_hits_are_those_of_batches)
 {
     n_records = 0;
     each_record("tests/library/hits.txt", 227, take_record);
-    each_record("tests/library/hard.txt", 277, take_record);
+    each_record("tests/library/hard.txt", 281, take_record);
     check_pairs(drawn, n_records, &usual);
     for (size_t i = 0; i + FEW <= n_records; i += FEW / 3) {
         check_lines(&drawn[i], &drawn[i], FEW, &usual);
