@@ -23,19 +23,21 @@ enum { RECENT = 16, SET_SIZE = 256, SET_MOST = 192 };
 /* No shape has this number. */
 #define NO_SHAPE UINT32_MAX
 
-/* The most shapes that one further traversal finds. */
-enum { MOST_LEFT = 4096 };
+/* A further traversal finds up to MOST_LEFT shapes in a list; or in as many words
+ * of bits, where shapes of neighbouring numbers are left, MOST_BITS shapes. */
+enum { MOST_LEFT = 4096, MOST_BITS = 32 * MOST_LEFT };
 
 typedef struct {
     int may_repeat; /* a shape may be visited more than once: without the table */
     int visited;
     uint32_t recent[RECENT], slot[SET_SIZE];
-    int has_left; /* the table was full when another shape was found */
+    int has_left; /* further shapes were found, which are not in `left` */
     /* NULL in the first traversal; then the lowest of those shapes that are not
-     * in the table, from first_left on, ascending */
+     * in the table, from first_left on: ascending, or a bit for each number */
     uint32_t *left;
     size_t n_left;
     uint32_t first_left;
+    int in_bits;
 } tested_shapes;
 
 static inline void begin_tests(tested_shapes *s, int may_repeat)
@@ -66,17 +68,33 @@ static inline uint32_t *slot_of(tested_shapes *s, uint32_t number)
     return &s->slot[at];
 }
 
-/* Adds a shape to those that are left, unless MOST_LEFT lower ones are. */
-static void keep_left(tested_shapes *s, uint32_t number)
+/* Adds a shape to the list, unless that has MOST_LEFT lower ones. */
+static void list_left(tested_shapes *s, uint32_t number)
 {
     const size_t at = cylint_place_among(s->left, s->n_left, number);
-    if (number < s->first_left || at == MOST_LEFT ||
-        (at < s->n_left && s->left[at] == number))
+    if (at < s->n_left && s->left[at] == number)
+        return;
+    s->has_left |= s->n_left == MOST_LEFT;
+    if (at == MOST_LEFT)
         return;
     s->n_left += s->n_left < MOST_LEFT;
     memmove(s->left + at + 1, s->left + at,
             (s->n_left - at - 1) * sizeof *s->left);
     s->left[at] = number;
+}
+
+/* Adds a shape to those that are left. */
+static void keep_left(tested_shapes *s, uint32_t number)
+{
+    const uint32_t at = number - s->first_left;
+    if (number < s->first_left)
+        return;
+    if (!s->in_bits)
+        list_left(s, number);
+    else if (at < MOST_BITS)
+        s->left[at / 32] |= UINT32_C(1) << at % 32;
+    else
+        s->has_left = 1;
 }
 
 /* Tests a shape and calls back for it.  Returns whether it did. */
@@ -118,6 +136,31 @@ CYLINT_INLINE void test_lane(tested_shapes *s, const cylint_leaf *leaf,
     }
 }
 
+/* Tests the shapes that have bits.  A list follows if they are few. */
+static void test_bits(tested_shapes *s, void *visit, const int *stopped,
+                      shape_test *test)
+{
+    for (uint32_t i = 0; i < MOST_LEFT; i++)
+        for (uint32_t of = s->left[i]; of && !*stopped; of &= of - 1) {
+            s->n_left++;
+            test(visit, s->first_left + 32 * i + (uint32_t)cylint_lowest(of));
+        }
+    s->in_bits = s->n_left >= MOST_LEFT;
+    s->first_left += MOST_BITS;
+}
+
+/* The same of the list.  Bits follow if its numbers are near each other. */
+static void test_list(tested_shapes *s, void *visit, const int *stopped,
+                      shape_test *test)
+{
+    const size_t n = s->n_left;
+    test_each(visit, stopped, test, s->left, 0, n);
+    if (!s->has_left)
+        return;
+    s->in_bits = s->left[n - 1] - s->left[0] < MOST_BITS;
+    s->first_left = s->left[n - 1] + 1;
+}
+
 /* Tests the shapes that were left, each once, by traversing again. */
 ASIDE void test_left(tested_shapes *s, void *visit, const int *stopped,
                      shape_test *test, void (*traverse)(void *visit))
@@ -125,12 +168,15 @@ ASIDE void test_left(tested_shapes *s, void *visit, const int *stopped,
     uint32_t left[MOST_LEFT];
     s->left = left;
     s->first_left = 0;
-    do {
+    s->in_bits = 0;
+    while (s->has_left && !*stopped) {
+        s->has_left = 0;
         s->n_left = 0;
+        if (s->in_bits)
+            memset(left, 0, sizeof left);
         traverse(visit);
-        test_each(visit, stopped, test, left, 0, s->n_left);
-        s->first_left = s->n_left > 0 ? left[s->n_left - 1] + 1 : 0;
-    } while (s->n_left == MOST_LEFT && !*stopped);
+        (s->in_bits ? test_bits : test_list)(s, visit, stopped, test);
+    }
 }
 
 /* Begins to load the lanes' shapes.  Always inlined: GCC removes calls of a

@@ -14,6 +14,7 @@
 #include "answers.h"
 #include "check.h"
 #include "environment.h"
+#include "scene/scene.h"
 #include "shapes/shape_facts.h"
 
 enum { SHAPES = 1200, NEAR = 150, LINES = 20 };
@@ -405,6 +406,47 @@ TEST(thousands_of_shapes_of_several_slices_count_once)
     cylint_scene_visit(scene, &line, CYLINT_WANT_T, count_visit, visits);
     for (size_t i = 0; i < THOUSANDS; i++)
         CHECK(hit[i] == i && near[i] == i && visits[i] == 1);
+}
+
+static size_t traversals;
+
+static size_t count_traversal(const cylint_bvh *bvh,
+                              const cylint_bvh_line *line,
+                              cylint_leaf_callback *callback, void *self)
+{
+    traversals++;
+    return cylint_traversal_used()->all(bvh, line, callback, self);
+}
+
+/* Beside the first traversal and a list: numbers that follow each other are found
+ * as bits, others again as a list.  So the time grows as the number of shapes. */
+TEST(few_traversals_find_a_hundred_thousand_shapes)
+{
+    enum { ADDED = 3400, TIMES = 160, DENSE = 40 * ADDED, APART = 200 };
+    enum { FOUND = DENSE + (TIMES - 40) * (ADDED / APART) };
+    static cylint_shape all[ADDED], few[ADDED];
+    static size_t hit[FOUND + 1];
+    cylint_traversal counting = *cylint_traversal_used();
+    cylint_line line;
+    counting.all = count_traversal;
+    for (int i = 0; i < ADDED; i++) {
+        cylint_cylinder(&all[i], (double[]){0, 0, 0}, (double[]){8, 8, 8}, 0.02,
+                        CYLINT_ENDS_CAPPED);
+        cylint_sphere(&few[i], (double[]){5, 1, 1}, 0.5, CYLINT_ENDS_CAPPED);
+        if (i % APART == 0)
+            few[i] = all[i];
+    }
+    OWN_SCENE *scene = cylint_scene_begin(0);
+    for (int i = 0; i < TIMES; i++)
+        CHECK(cylint_scene_add(scene, i < 40 ? all : few, ADDED) ==
+              CYLINT_SCENE_OK);
+    CHECK(cylint_scene_finish(scene, 1, NULL, NULL) == CYLINT_SCENE_OK);
+    cylint_ray(&line, (double[]){1, 0, 1}, (double[]){0, 1, 0});
+    scene->traversal = &counting;
+    CHECK(cylint_scene_all(scene, &line, 0, hit, FOUND + 1) == FOUND &&
+          traversals == 5);
+    for (size_t i = 0; i < FOUND; i++)
+        CHECK(hit[i] == (i < DENSE ? i : DENSE + (i - DENSE) * APART));
 }
 
 /* ------------------------------------------------------------ contracts -- */
