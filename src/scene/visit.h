@@ -43,7 +43,7 @@ typedef struct cylint_visit_options {
  * `want` have no effect.  Chords that begin beyond the t that the callback returned
  * last are not wanted.
  *
- * Returns whether a t that the callback returned may have left out shapes.
+ * Of chords, returns whether a t that the callback returned may have left out some.
  */
 int cylint_visit_line(const cylint_scene *scene, const cylint_line *line,
                       const cylint_visit_options *options, double last,
