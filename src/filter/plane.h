@@ -213,11 +213,14 @@ static inline unsigned cylint_plane_members(const cylint_shape *s,
     if ((undecided & CYLINT_WANT_NORMAL) && cylint_plane_normal(s, hit->normal))
         undecided &= ~(unsigned)CYLINT_WANT_NORMAL;
     if ((undecided & CYLINT_WANT_POINT) &&
-        cylint_line_to_plane(s, line, &slope, &t) &&
-        cylint_plane_coordinate(s, line, t, 0, &hit->point[0]) &&
-        cylint_plane_coordinate(s, line, t, 1, &hit->point[1]) &&
-        cylint_plane_coordinate(s, line, t, 2, &hit->point[2]))
-        undecided &= ~(unsigned)CYLINT_WANT_POINT;
+        cylint_line_to_plane(s, line, &slope, &t)) {
+        int is_certain = 1;
+        for (int i = 0; i < 3; i++)
+            is_certain &=
+                cylint_plane_coordinate(s, line, t, i, &hit->point[i]);
+        if (is_certain)
+            undecided &= ~(unsigned)CYLINT_WANT_POINT;
+    }
     return undecided;
 }
 
