@@ -33,6 +33,27 @@ const char *cylint_scene_strerror(int status)
                                                         : "unknown status";
 }
 
+/* ------------------------------------------------------------- numbers -- */
+
+size_t cylint_place_among(const uint32_t *numbers, size_t n, size_t number)
+{
+    size_t from = 0, to = n;
+    while (from < to) {
+        const size_t middle = from + (to - from) / 2;
+        if (numbers[middle] < number)
+            from = middle + 1;
+        else
+            to = middle;
+    }
+    return from;
+}
+
+int cylint_is_other(const cylint_scene *s, size_t number)
+{
+    const size_t at = cylint_place_among(s->others, s->n_others, number);
+    return at < s->n_others && s->others[at] == number;
+}
+
 /* ------------------------------------------------------------ building -- */
 
 static void *allocate(cylint_scene *s, size_t count, size_t size)
