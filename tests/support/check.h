@@ -100,10 +100,21 @@ static inline int check_end(void)
     return check_failed != 0;
 }
 
+/* Runs the tests that have one of n names, or all if n is 0. */
+static inline void check_named(int n, char **names)
+{
+    for (int i = 0; i < check_count; i++) {
+        int is_named = n == 0;
+        for (int k = 0; k < n; k++)
+            is_named |= strcmp(names[k], check_tests[i].name) == 0;
+        if (is_named)
+            check_run(check_tests[i].test, check_tests[i].name);
+    }
+}
+
 static inline void check_each(void)
 {
-    for (int i = 0; i < check_count; i++)
-        check_run(check_tests[i].test, check_tests[i].name);
+    check_named(0, NULL);
 }
 
 static inline int check_all(void)
@@ -115,13 +126,7 @@ static inline int check_all(void)
 #ifndef CHECK_OWN_MAIN
 int main(int argc, char **argv)
 {
-    for (int i = 0; i < check_count; i++) {
-        int is_named = argc == 1;
-        for (int k = 1; k < argc; k++)
-            is_named |= strcmp(argv[k], check_tests[i].name) == 0;
-        if (is_named)
-            check_run(check_tests[i].test, check_tests[i].name);
-    }
+    check_named(argc - 1, argv + 1);
     return check_end();
 }
 #endif
