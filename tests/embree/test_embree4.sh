@@ -1,8 +1,32 @@
 #!/bin/sh
-# The tests of scene and embree on Embree 4, if embree4/fetch.sh gets it.
+# The program of cylint_embree(3) with Embree 4; and the tests of scene and embree, if
+# the build has Embree 3 and embree4/fetch.sh gets Embree 4.
 here=$(dirname "$0")
 . "$here/../support/verdict.sh"
 . "$here/../support/installs.sh"
+
+# The page names the three changes.
+runs_example() # EMBREE4_LIBRARY BUILD [FLAG]...
+{
+    library=$1 libraries=$2
+    shift 2
+    display cylint_embree.3 1 | sed 's/embree3/embree4/
+        /^ *struct RTCIntersectContext/d; /^ *rtcInitIntersectContext/d
+        s/rtcIntersect1(.*/rtcIntersect1(scene, \&at, NULL);/' > "$scratch/example.c"
+    display cylint_embree.3 2 > "$scratch/said"
+    $cc -std=c99 -Werror -Iinclude "$@" -o "$scratch/example" "$scratch/example.c" \
+        "$libraries/libcylint-embree4.a" "$libraries/libcylint.a" "$library" \
+        -Wl,-rpath,"$(dirname -- "$library")" -pthread -lm &&
+        "$scratch/example" | diff "$scratch/said" -
+}
+
+program='the program of cylint_embree(3)'
+if grep -q '^EMBREE ?= 4$' "$build/config.mk"; then
+    runs_example -lembree4 "$build"
+    verdict "$program" $?
+    check_end
+    exit
+fi
 folder=$build/embree4
 library=$(sh "$here/embree4/fetch.sh" "$folder/wheel")
 status=$?
@@ -22,18 +46,9 @@ make_with_4()
         EMBREE_LIBS="$library -Wl,-rpath,$(dirname "$library")" "$@"
 }
 
-# The program of cylint_embree(3), with the three changes that the page names.
-display cylint_embree.3 1 | sed 's/embree3/embree4/
-    /^ *struct RTCIntersectContext/d; /^ *rtcInitIntersectContext/d
-    s/rtcIntersect1(.*/rtcIntersect1(scene, \&at, NULL);/' > "$scratch/example.c"
-display cylint_embree.3 2 > "$scratch/said"
 make_with_4 "$folder/libcylint-embree4.a" "$folder/libcylint.a" &&
-    $cc -std=c99 -Werror -Iinclude -I"$folder/include" -o "$scratch/example" \
-        "$scratch/example.c" "$folder/libcylint-embree4.a" \
-        "$folder/libcylint.a" "$library" -Wl,-rpath,"$(dirname "$library")" \
-        -pthread -lm &&
-    "$scratch/example" | diff "$scratch/said" - || {
-    echo 'FAILED the program of cylint_embree(3)'
+    runs_example "$library" "$folder" -I"$folder/include" || {
+    echo "FAILED $program"
     exit 1
 }
 # test_float_filter and test_embree_float_bounds do not use Embree.
