@@ -211,12 +211,14 @@ static inline int feature_within(elliptic_question *q)
     return bounded ? feature_inside(q) : CYLINT_FEATURE_LATERAL;
 }
 
-/* Turns a point beside the other nappe of a double cone about the apex. */
-static inline void turn_place(elliptic_place *p)
+/* Turns the point about the apex of a double cone: the distance from the other
+ * nappe is then that from the nappe of the base. */
+static inline void turn_place(elliptic_question *q)
 {
-    p->x = -p->x;
-    p->y = -p->y;
-    p->rho = -p->rho;
+    q->is_turned = !q->is_turned;
+    q->at.x = -q->at.x;
+    q->at.y = -q->at.y;
+    q->at.rho = -q->at.rho;
 }
 
 static inline int feature_outside(elliptic_question *q)
@@ -230,7 +232,13 @@ static inline int feature_outside(elliptic_question *q)
             return CYLINT_FEATURE_APEX;
         return feature_of_end(q, k1 < 0);
     }
-    if (!find_on_lateral(q))
+    /* The other nappe of an oblique double cone can be nearer. */
+    int found = find_on_lateral(q);
+    if (!found && !is_convex(q)) {
+        turn_place(q);
+        found = find_on_lateral(q);
+    }
+    if (!found)
         return CYLINT_NO_FEATURE;
     if (!bounded)
         return CYLINT_FEATURE_LATERAL;
@@ -264,9 +272,9 @@ static inline int locate_question(elliptic_question *q, const cylint_shape *s,
     q->rough = rough;
     locate(p, s, point,
            rough ? CYLINT_ELLIPTIC_SAFETY_ERROR : CYLINT_ELLIPTIC_ERROR);
-    q->is_turned = s->ends == CYLINT_ENDS_INFINITE && p->rho < 0;
-    if (q->is_turned)
-        turn_place(p);
+    q->is_turned = 0;
+    if (s->ends == CYLINT_ENDS_INFINITE && p->rho < 0)
+        turn_place(q);
     q->side = side_of_section(p);
     if (q->side > 0 && cylint_is_bounded(s))
         q->side = zone_of_point(p) != CYLINT_SIGN_UNDECIDED;

@@ -176,6 +176,19 @@ TEST(nearly_all_answers_in_leaning_cones_are_certain)
     }
 }
 
+/* The nappe on the point's side of the apex can be the farther one. */
+TEST(nearly_all_answers_about_leaning_double_cones_are_certain)
+{
+    const struct family_case c =
+        case_of("econe 0 0 0  1 0 0  0 0.7 0  1.5 0.75 1  0.5  ends=infinite");
+    struct tally sum = {0};
+    while (sum.n < 1000) {
+        const double p[3] = {between(-4, 4), between(-4, 4), between(-4, 4)};
+        check_point(&c, p, 1, &sum);
+    }
+    CHECK((double)sum.left < most_of(sum.n, 0.002));
+}
+
 TEST(pairs_decide_part_and_normal_on_a_cap)
 {
     const cylint_shape s = shape_of("ecylinder 0 0 0  2 0 0  0 1 0  0 0 3");
