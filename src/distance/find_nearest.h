@@ -95,26 +95,14 @@ ASIDE int sign_of_foot(const half_plane *m, const shape_lanes *s,
     const int round = cylint_is_round(shape->kind);
     const double u = CYLINT_POINT_ROUNDING, sine = fabs(s->sine.hi);
     const double least = 0x1p-500; /* covers squares that underflow */
-    const double *center = end ? s->top : s->base;
     double error = m->plane_error;
     pair z = end ? m->above : m->z;
-    if (round && cylint_are_equal(point, center))
+    if (round && cylint_are_equal(point, end ? s->top : s->base))
         return 0;
-    if (error > 0 && (!end || cylint_has_end_points(shape->kind))) {
-        double size = 0;
-        pair p[3];
-        EACH(i, 3) {
-            const pair D = two_diff(point[i], center[i]);
-            p[i] = vpair_product(D, s->axis[i]);
-            size += fabs(D.hi);
-        }
-        z = pairs_sum3(p);
-        error = u * size + least;
-        if (fabs(rounded(z)) <= error &&
-            cylint_side_of(shape, point, end) == 0) {
-            z = (pair){0, 0};
-            error = 0;
-        }
+    if (error > 0 && fabs(rounded(z)) <= error &&
+        cylint_side_of(shape, point, end) == 0) {
+        z = (pair){0, 0};
+        error = 0;
     }
     const pair x = vpair_product(s->cosine, z),
                y = vpair_product(s->sine, across), foot = vpair_add(x, y);
