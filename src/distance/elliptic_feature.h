@@ -152,9 +152,7 @@ static inline int feature_of_end(elliptic_question *q, int end)
         return CYLINT_NO_FEATURE;
     if (is_over && cylint_caps_present(q->shape->ends) >> end & 1)
         feature = CYLINT_FEATURE_CAP0 + end;
-    /* untaken 1 of 6: an apex is found before */
-    else if (q->at.rho > 0 && find_on_lateral(q) &&
-             (!is_over || is_open_rim_nearest(q, end)))
+    else if (find_on_lateral(q) && (!is_over || is_open_rim_nearest(q, end)))
         feature = CYLINT_FEATURE_RIM0 + end;
     q->side = -1;
     return feature;
