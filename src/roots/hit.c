@@ -85,13 +85,6 @@ exact cylint_angle(cylint_arena *arena, exact x, exact y)
 
 /* ------------------------------------------------------------- facts --- */
 
-/* Whether z of the hit is that of a cap. */
-static int is_on_cap(const cylint_query *q, cylint_root root)
-{
-    return (root == ROOT_CAP0 || root == ROOT_CAP1) &&
-           !cylint_is_round(q->kind);
-}
-
 /* Whether the normal is that of a quadric. */
 static int is_curved(const cylint_query *q, int part)
 {
@@ -124,13 +117,10 @@ static void write_point(const described *at, double point[3])
     cylint_query *q = at->q;
     for (int i = 0; i < 3; i++) {
         const int used = q->arena.used;
-        const double o = q->line->o[i];
-        const exact d = at->at_o.u[i];
-        point[i] = d.sign == 0
-                       ? cylint_positive_zero(o)
-                       : cylint_nearest_at(q, ROUNDED_QUOTIENT, &at->t,
-                                           cylint_exact_from(&q->arena, o), d,
-                                           at->at_o.one);
+        point[i] =
+            cylint_nearest_at(q, ROUNDED_QUOTIENT, &at->t,
+                              cylint_exact_from(&q->arena, q->line->o[i]),
+                              at->at_o.u[i], at->at_o.one);
         q->arena.used = used;
     }
 }
@@ -224,31 +214,20 @@ static double phi_of(const described *at)
 void cylint_describe_hit(cylint_query *q, const cylint_stop *stop,
                          unsigned want, cylint_hit *hit)
 {
-    const cylint_root root = stop->root;
     const int has_axis = !cylint_has_no_axis(q->shape);
-    const int has_z = has_axis && !is_on_cap(q, root),
-              has_phi = has_axis && !stop->apex && !cylint_is_plane(q->kind);
-    if ((want & CYLINT_WANT_Z) && !has_z)
-        hit->z = is_on_cap(q, root) && root == ROOT_CAP1;
-    if ((want & CYLINT_WANT_PHI) && !has_phi)
-        hit->phi = 0;
-    const unsigned from_root =
-        (want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL)) |
-        (has_z ? want & CYLINT_WANT_Z : 0) |
-        (has_phi ? want & CYLINT_WANT_PHI : 0);
-    if (!from_root)
+    if (!want)
         return;
-    const described at = described_at(q, root);
+    const described at = described_at(q, stop->root);
     const int kept = q->arena.used;
     if (want & CYLINT_WANT_POINT)
         write_point(&at, hit->point);
     if (want & CYLINT_WANT_NORMAL)
         write_normal(&at, stop, hit->normal);
     q->arena.used = kept;
-    if (from_root & CYLINT_WANT_Z)
-        hit->z = z_of(&at);
+    if (want & CYLINT_WANT_Z)
+        hit->z = has_axis ? z_of(&at) : 0;
     q->arena.used = kept;
-    if (from_root & CYLINT_WANT_PHI)
-        hit->phi = phi_of(&at);
+    if (want & CYLINT_WANT_PHI)
+        hit->phi = has_axis && !cylint_is_plane(q->kind) ? phi_of(&at) : 0;
     q->arena.used = at.t.mark;
 }
