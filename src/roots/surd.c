@@ -91,18 +91,6 @@ exact cylint_square_root(cylint_arena *arena, exact x)
 
 /* ------------------------------------------------------- the root ------ */
 
-static const exact *coefficients(cylint_query *q)
-{
-    const cylint_terms_exact *L = cylint_load_exact(q, FORM_A, 0);
-    if (!q->has_coefficients) {
-        q->has_coefficients = 1;
-        q->exact_coefficient[0] = cylint_form_exact(L, FORM_A, 0);
-        q->exact_coefficient[1] = cylint_form_exact(L, FORM_B, 0);
-        q->exact_coefficient[2] = cylint_form_exact(L, FORM_C, 0);
-    }
-    return q->exact_coefficient;
-}
-
 /* R = sqrt(S G). */
 static exact radical(cylint_query *q, const cylint_terms_exact *L)
 {
@@ -132,13 +120,12 @@ surd cylint_root_of_quotient(cylint_query *q, exact x, exact y)
 surd cylint_surd(cylint_query *q, cylint_root root)
 {
     const cylint_terms_exact *L = cylint_load_exact(q, FORM_A, 0);
-    const exact *c = root < ROOT_APEX ? coefficients(q) : NULL;
     const exact zero = cylint_exact_zero(&q->arena);
     surd t = {L->beta, zero, zero, 0, zero, q->arena.used};
-    if (c) {
-        t.A = c[0];
-        t.B = c[1];
-        t.C = c[2];
+    if (root < ROOT_APEX) {
+        t.A = cylint_form_exact(L, FORM_A, 0);
+        t.B = cylint_form_exact(L, FORM_B, 0);
+        t.C = cylint_form_exact(L, FORM_C, 0);
         /* mutant '1' -> '2': only its sign is used */
         t.s = root == ROOT_DOUBLE ? 0 : root == ROOT_EXIT ? 1 : -1;
     } else if (root == ROOT_APEX) {

@@ -93,7 +93,6 @@ void cylint_query_open(cylint_query *q, const cylint_shape *shape,
     q->kind = shape->kind;
     q->ends = shape->ends;
     q->bounded_terms.ready = q->pair_terms.ready = q->exact.ready = 0;
-    q->has_coefficients = 0;
     cylint_reached(FILTER);
     q->filters = filters_apply(shape, line);
     q->pairs = q->filters && cylint_rounds_to_nearest();

@@ -20,8 +20,6 @@ typedef struct {
     terms_bounded bounded_terms;
     cylint_terms_pair pair_terms;
     cylint_terms_exact exact;
-    int has_coefficients;       /* these are computed: */
-    exact exact_coefficient[3]; /* A, B, C */
     cylint_arena arena;
 } cylint_query;
 
