@@ -105,9 +105,7 @@ void cylint_chords_of_records(const cylint_record *records, int solid,
     const cylint_line whole = whole_of(line);
     record_chords to = {line, chord, count};
     cylint_filter_batch from;
-    memset(count, line->in_range ? 0 : CYLINT_UNDECIDED, n);
-    if (!line->in_range)
-        return;
+    memset(count, 0, n);
     from.shapes = NULL;
     from.records = records;
     from.run = NULL;

@@ -97,13 +97,11 @@ INLINE void count_roundings(bounded_value *x, int roundings)
     x->e = v_sum_of(v_set(roundings * CYLINT_ROUNDING), v_abs(x->v), x->e);
 }
 
-INLINE void count_all_roundings(verdict *v, int solid)
+INLINE void count_all_roundings(verdict *v)
 {
     count_roundings(&v->G, 1);
     count_roundings(&v->A, 2);
     count_roundings(&v->B, 1);
-    if (!cylint_solid_is_hull(solid))
-        return;
     count_roundings(&v->ball.g[0], 1);
     count_roundings(&v->ball.A, 2);
     count_roundings(&v->ball.B[0], 1);
@@ -392,7 +390,7 @@ static int refine_line(cylint_question *q)
     q->is_along = in_plane && cylint_solid_has_discs(solid);
     if (!(m_bits(m_and(v.crosses, v.sided)) & 1))
         return leave_undecided(q, CYLINT_REFINE_NONE);
-    count_all_roundings(&v, solid);
+    count_all_roundings(&v);
     return answer_by_roots(&l, &v, &in, q, solid);
 }
 
