@@ -1,7 +1,7 @@
 /*
  * exact.c - schoolbook integers with a limb exponent
  *
- * Typical numbers have 1 to 12 limbs.  For these the simplest algorithms are
+ * Typical numbers have 1 to 6 limbs.  For these the simplest algorithms are
  * the fastest.  Exponents count whole limbs, so a double is shifted once, when
  * it is converted; sums need no shift.
  */
@@ -13,10 +13,10 @@
 #include "diagnostics.h"
 #include "error_bounds.h"
 
-static uint32_t *take(cylint_arena *arena, int n)
+static uint64_t *take(cylint_arena *arena, int n)
 {
     cylint_contradiction(arena->used + n > CYLINT_ARENA_LIMBS);
-    uint32_t *limb = arena->limb + arena->used;
+    uint64_t *limb = arena->limb + arena->used;
     arena->used += n;
     if (arena->used > arena->most)
         arena->most = arena->used;
@@ -24,7 +24,7 @@ static uint32_t *take(cylint_arena *arena, int n)
 }
 
 /* Drops zero limbs at both ends and returns the unused limbs to the arena. */
-static exact trimmed(cylint_arena *arena, uint32_t *limb, int n, int exponent,
+static exact trimmed(cylint_arena *arena, uint64_t *limb, int n, int exponent,
                      int sign)
 {
     while (n > 0 && limb[n - 1] == 0)
@@ -42,14 +42,11 @@ static exact trimmed(cylint_arena *arena, uint32_t *limb, int n, int exponent,
 
 exact cylint_exact_of_integer(cylint_arena *arena, uint64_t m, int e)
 {
-    const int shift = e & 31;
-    uint32_t *limb = take(arena, 3);
-    const uint64_t low = (m & 0xffffffffu) << shift;
-    const uint64_t high = ((m >> 32) << shift) + (low >> 32);
-    limb[0] = (uint32_t)low;
-    limb[1] = (uint32_t)high;
-    limb[2] = (uint32_t)(high >> 32);
-    return trimmed(arena, limb, 3, (e - shift) / 32, 1);
+    const int shift = e & 63;
+    uint64_t *limb = take(arena, 2);
+    limb[0] = m << shift;
+    limb[1] = shift > 0 ? m >> (64 - shift) : 0;
+    return trimmed(arena, limb, 2, (e - shift) / 64, 1);
 }
 
 exact cylint_exact_from(cylint_arena *arena, double x)
@@ -63,7 +60,7 @@ exact cylint_exact_from(cylint_arena *arena, double x)
     return bits >> 63 ? cylint_exact_neg(size) : size;
 }
 
-static uint32_t limb_at(exact x, int position)
+static uint64_t limb_at(exact x, int position)
 {
     const int i = position - x.exponent;
     return i >= 0 && i < x.n ? x.limb[i] : 0;
@@ -91,16 +88,16 @@ static exact combine(cylint_arena *arena, exact x, exact y, int subtract)
                                                         : cylint_top_of(y);
     const int n = top - low;
     const uint64_t none = (uint64_t)subtract; /* a carry that changes no limb */
-    const uint32_t flip = subtract ? 0xffffffffu : 0;
-    uint32_t *limb = take(arena, n + 1), *at = limb + (y.exponent - low);
+    const uint64_t flip = subtract ? UINT64_MAX : 0;
+    uint64_t *limb = take(arena, n + 1), *at = limb + (y.exponent - low);
     uint64_t carry = none;
     for (int i = 0; i <= n; i++)
         limb[i] = limb_at(x, low + i);
     for (int i = 0; i < y.n || carry != none; i++) {
-        carry += at[i];
-        carry += (i < y.n ? y.limb[i] : 0) ^ flip;
-        at[i] = (uint32_t)carry;
-        carry >>= 32;
+        const uint64_t addend = (i < y.n ? y.limb[i] : 0) ^ flip;
+        const uint64_t half = at[i] + carry;
+        at[i] = half + addend;
+        carry = (uint64_t)(half < carry) + (uint64_t)(at[i] < addend);
     }
     return trimmed(arena, limb, n + 1, low, x.sign);
 }
@@ -139,49 +136,19 @@ static uint64_t multiply_add(uint64_t a, uint64_t b, uint64_t c,
 #endif
 }
 
-/* Two limbs; compilers make one load of them where they can. */
-static uint64_t two_at(const uint32_t *limb)
-{
-    return limb[0] | (uint64_t)limb[1] << 32;
-}
-
-static void put_two(uint32_t *limb, uint64_t two)
-{
-    const uint32_t halves[2] = {(uint32_t)two, (uint32_t)(two >> 32)};
-    memcpy(limb, halves, sizeof halves);
-}
-
-/* sum += x y, where the limbs of sum above those of y are 0. */
-static void add_products(uint32_t *sum, uint64_t x, const uint32_t *y, int n)
-{
-    uint64_t carry = 0;
-    int i = 0;
-    for (; i + 1 < n; i += 2) {
-        const uint64_t two =
-            multiply_add(x, two_at(y + i), two_at(sum + i), &carry);
-        put_two(sum + i, two);
-    }
-    if (i < n) {
-        const uint64_t two = multiply_add(x, y[i], sum[i], &carry);
-        sum[i] = (uint32_t)two;
-        carry = carry << 32 | two >> 32;
-    }
-    sum[n] = (uint32_t)carry;
-    if (carry >> 32) /* never if x is one limb */
-        sum[n + 1] = (uint32_t)(carry >> 32);
-}
-
 exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
 {
     if (x.sign == 0 || y.sign == 0)
         return cylint_exact_zero(arena);
     const int n = x.n + y.n;
-    uint32_t *limb = take(arena, n);
+    uint64_t *limb = take(arena, n);
     memset(limb, 0, (size_t)n * sizeof *limb);
-    for (int i = 0; i < x.n; i += 2) {
-        const uint64_t two = i + 1 < x.n ? two_at(x.limb + i) : x.limb[i];
-        if (two) /* most limbs of a sum of distant sizes are 0 */
-            add_products(limb + i, two, y.limb, y.n);
+    for (int i = 0; i < x.n; i++) {
+        uint64_t carry = 0;
+        for (int j = 0; j < y.n; j++)
+            limb[i + j] =
+                multiply_add(x.limb[i], y.limb[j], limb[i + j], &carry);
+        limb[i + y.n] = carry;
     }
     return trimmed(arena, limb, n, x.exponent + y.exponent, x.sign * y.sign);
 }
@@ -201,8 +168,8 @@ exact cylint_exact_keep(cylint_arena *arena, int used, exact x)
 /* Whether |x| has a bit below its leading ones. */
 static int has_lower_bits(exact x, int shift)
 {
-    uint32_t lower = x.n > 2 ? x.limb[x.n - 3] << shift : 0;
-    for (int i = 0; i < x.n - 3; i++)
+    uint64_t lower = x.n > 1 ? x.limb[x.n - 2] << shift : 0;
+    for (int i = 0; i < x.n - 2; i++)
         lower |= x.limb[i];
     return lower != 0;
 }
@@ -213,7 +180,7 @@ double cylint_exact_nearest(exact x, int e)
     if (x.sign == 0)
         return 0;
     const uint64_t leading = cylint_leading_bits(x, &shift);
-    const int exponent = 32 * cylint_top_of(x) - 1 - shift + e;
+    const int exponent = 64 * cylint_top_of(x) - 1 - shift + e;
     uint64_t bits = (uint64_t)0x7ff << 52; /* infinite */
     if (exponent < -1075) {
         bits = 0; /* below half of the least double */

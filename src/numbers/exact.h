@@ -1,7 +1,7 @@
 /*
  * exact.h - exact sums and products of doubles, of any size
  *
- * A number is sign * (limb[0] + limb[1] 2^32 + ...) * 2^(32 exponent).  Its
+ * A number is sign * (limb[0] + limb[1] 2^64 + ...) * 2^(64 exponent).  Its
  * limbs are in an arena on the caller's stack.  Doubles are converted from
  * their bits, so subnormals are exact even if the processor flushes them.
  */
@@ -14,7 +14,7 @@
 #include "cylint.h"
 
 typedef struct {
-    const uint32_t *limb; /* least first; neither first nor last is 0 */
+    const uint64_t *limb; /* least first; neither first nor last is 0 */
     int exponent;
     short n;    /* 0 for zero */
     short sign; /* -1, 0, +1 */
@@ -22,16 +22,16 @@ typedef struct {
 
 /*
  * The capacity of the arena.  The bits of a double have weights from 2^-1074 to
- * 2^1023: an input takes at most 67 limbs, a product of d inputs 67 d.  A form
+ * 2^1023: an input takes at most 34 limbs, a product of d inputs 34 d.  A form
  * keeps only its result (BEGIN, RETURN).  Proved: tests/bounds/test_arena.c runs
- * the library with numbers of full length and measures at most 15022 limbs.  The
+ * the library with numbers of full length and measures at most 7756 limbs.  The
  * capacity is the next power of two.
  */
-enum { CYLINT_ARENA_LIMBS = 16384 };
+enum { CYLINT_ARENA_LIMBS = 8192 };
 
 typedef struct {
     int used, most;
-    uint32_t limb[CYLINT_ARENA_LIMBS];
+    uint64_t limb[CYLINT_ARENA_LIMBS];
 } cylint_arena;
 
 static inline void cylint_arena_open(cylint_arena *arena)
@@ -87,18 +87,16 @@ static inline int cylint_only_sign(cylint_arena *arena, int used, int sign)
     return sign;
 }
 
-/* The 64 bits of |x| from the highest that is 1, bit 31 - shift of the highest
+/* The 64 bits of |x| from the highest that is 1, bit 63 - shift of the highest
  * limb.  x is not 0. */
 static inline uint64_t cylint_leading_bits(exact x, int *shift)
 {
-    const uint64_t low = x.n > 1 ? x.limb[x.n - 2] : 0,
-                   high = (uint64_t)x.limb[x.n - 1] << 32 | low,
-                   lower = x.n > 2 ? x.limb[x.n - 3] : 0;
+    const uint64_t high = x.limb[x.n - 1], low = x.n > 1 ? x.limb[x.n - 2] : 0;
     int k = 0;
     while (!(high << k >> 63))
         k++;
     *shift = k;
-    return high << k | lower << k >> 32;
+    return k > 0 ? high << k | low >> (64 - k) : high;
 }
 
 /* The double of a rank of 0 or more (bits.h), and 2^1024 for infinity. */

@@ -40,15 +40,12 @@ static inline void cylint_sum_add(cylint_exact_sum *sum, double x)
 /* The double nearest to a sum that is not negative; ties to even. */
 static inline double cylint_sum_rounded(const cylint_exact_sum *sum)
 {
-    uint32_t limb[2 * CYLINT_SUM_LIMBS];
-    int first = 0, end = 2 * CYLINT_SUM_LIMBS;
-    for (int i = 0; i < end; i++)
-        limb[i] = (uint32_t)(sum->limb[i / 2] >> 32 * (i % 2));
-    while (end > 0 && limb[end - 1] == 0)
+    int first = 0, end = CYLINT_SUM_LIMBS;
+    while (end > 0 && sum->limb[end - 1] == 0)
         end--;
-    while (first < end && limb[first] == 0)
+    while (first < end && sum->limb[first] == 0)
         first++;
-    const exact all = {limb + first, first, (short)(end - first), end > 0};
+    const exact all = {sum->limb + first, first, (short)(end - first), end > 0};
     return cylint_exact_nearest(all, -1074);
 }
 

@@ -15,9 +15,9 @@
 /* -------------------------------------------------- leading digits ----- */
 
 enum {
-    LEADING_LIMBS = 5, /* at least 129 bits */
-    /* v 2^-96 exceeds the error of a value v */
-    ERROR_LIMBS = 3
+    LEADING_LIMBS = 3, /* at least 129 bits */
+    /* v 2^-64 exceeds the error of a value v */
+    ERROR_LIMBS = 1
 };
 
 exact cylint_leading(exact x)
@@ -47,7 +47,7 @@ static uint64_t first_inverse_root(exact x, int *k)
     /* mutant '6' -> '7', '<' -> '<=': slower, y has all its digits */
     for (int i = 0; i < 6; i++)
         y = y * (three - (high * (y * y >> 30) >> 32)) >> 31;
-    *k = 16 * cylint_top_of(x) - shift / 2;
+    *k = 32 * cylint_top_of(x) - shift / 2;
     const uint64_t a = y * y >> 32, b = y * y & UINT32_MAX;
     const uint64_t Xyy = high * a + (high * b >> 32) + (low * a >> 32);
     const int64_t e = (int64_t)(((uint64_t)1 << 60) - Xyy);

@@ -8,7 +8,7 @@
  * cancels and nothing is trimmed, so real numbers never use more limbs
  * (numbers/test_exact.c tests each operation).  Sums of numbers that
  * cylint_leading() has cut, in cylint_angle(), are an exception: they can be
- * longer than here, by some 200 of the limbs that stay free (observed).  Signs
+ * longer than here, by some 100 of the limbs that stay free (observed).  Signs
  * decide what the library computes next; they are random.
  *
  * The degree of a number is how many data are multiplied in it: each has LOWEST
@@ -21,9 +21,9 @@
 #include "roots/roots.h"
 #include "shapes/layout.h"
 
-/* The limbs of doubles (exact.c): 2^-1074 is in limb -34, 2^1023 in limb 31,
+/* The limbs of doubles (exact.c): 2^-1074 is in limb -17, 2^1023 in limb 15,
  * and cylint_exact_from() uses one more. */
-enum { LOWEST = -34, LEAF = 67 };
+enum { LOWEST = -17, LEAF = 34 };
 
 static int larger(int x, int y)
 {
@@ -49,7 +49,7 @@ exact cylint_exact_from(cylint_arena *arena, double x)
 exact cylint_exact_of_integer(cylint_arena *arena, uint64_t m, int e)
 {
     (void)m;
-    return extent(arena, 3, (e - (e & 31)) / 32);
+    return extent(arena, 2, (e - (e & 63)) / 64);
 }
 
 exact cylint_exact_add(cylint_arena *arena, exact x, exact y)

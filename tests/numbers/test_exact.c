@@ -54,7 +54,7 @@ static real real_of_exact(exact x)
     mpz_t z;
     mpz_init(z);
     mpz_import(z, (size_t)x.n, -1, sizeof *x.limb, 0, 0, x.limb);
-    mpfr_set_z_2exp(r->x, z, 32 * x.exponent, RND);
+    mpfr_set_z_2exp(r->x, z, 64 * x.exponent, RND);
     mpz_clear(z);
     r->off = EXACT;
     return x.sign < 0 ? negated(r) : r;
@@ -147,7 +147,7 @@ TEST(roundings_are_within_their_bound)
         a.exponent -= top; /* so that nothing is subnormal */
         const pair v = cylint_exact_round(&arena, a);
         const real rounded =
-            times(plus(real_of(v.hi), real_of(v.lo)), power_of_two(32 * top));
+            times(plus(real_of(v.hi), real_of(v.lo)), power_of_two(64 * top));
         const double off = apart(rounded, x);
         worst = fmax(worst, off);
         CHECK(off < CYLINT_EXACT_ROUNDING);
@@ -232,7 +232,7 @@ TEST(operations_use_no_more_limbs_than_the_capacity_counts)
     for (int i = 0; i < cases(); i++) {
         real unused;
         begin_case();
-        expect_limbs(cylint_exact_from(&arena, any_double()), -34, 33, 0);
+        expect_limbs(cylint_exact_from(&arena, any_double()), -17, 17, 0);
         const exact x = cancelling_sum(&unused), y = cancelling_sum(&unused);
         if (x.sign == 0 || y.sign == 0)
             continue;
