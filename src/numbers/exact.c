@@ -66,54 +66,33 @@ static uint64_t limb_at(exact x, int position)
     return i >= 0 && i < x.n ? x.limb[i] : 0;
 }
 
-/* The sign of |x| - |y|. */
-static int compare_sizes(exact x, exact y)
-{
-    if (cylint_top_of(x) != cylint_top_of(y))
-        return cylint_top_of(x) > cylint_top_of(y) ? 1 : -1;
-    /* mutant '<' -> '<=': of two equal ones either is right */
-    const int low = x.exponent < y.exponent ? x.exponent : y.exponent;
-    for (int i = cylint_top_of(x) - 1; i >= low; i--)
-        if (limb_at(x, i) != limb_at(y, i))
-            return limb_at(x, i) > limb_at(y, i) ? 1 : -1;
-    return 0;
-}
-
-/* |x| + |y|, or |x| - |y| where |x| > |y|. */
-static exact combine(cylint_arena *arena, exact x, exact y, int subtract)
-{
-    /* mutant '<' -> '<=': of two equal ones either is right */
-    const int low = x.exponent < y.exponent ? x.exponent : y.exponent;
-    const int top = cylint_top_of(x) > cylint_top_of(y) ? cylint_top_of(x)
-                                                        : cylint_top_of(y);
-    const int n = top - low;
-    const uint64_t none = (uint64_t)subtract; /* a carry that changes no limb */
-    const uint64_t flip = subtract ? UINT64_MAX : 0;
-    uint64_t *limb = take(arena, n + 1), *at = limb + (y.exponent - low);
-    uint64_t carry = none;
-    for (int i = 0; i <= n; i++)
-        limb[i] = limb_at(x, low + i);
-    for (int i = 0; i < y.n || carry != none; i++) {
-        const uint64_t addend = (i < y.n ? y.limb[i] : 0) ^ flip;
-        const uint64_t half = at[i] + carry;
-        at[i] = half + addend;
-        carry = (uint64_t)(half < carry) + (uint64_t)(at[i] < addend);
-    }
-    return trimmed(arena, limb, n + 1, low, x.sign);
-}
-
+/* |x| + |y|; or, where the signs differ, |x| - |y| in two's complement. */
 exact cylint_exact_add(cylint_arena *arena, exact x, exact y)
 {
     if (x.sign == 0)
         return y;
     if (y.sign == 0)
         return x;
-    if (x.sign == y.sign)
-        return combine(arena, x, y, 0);
-    const int larger = compare_sizes(x, y);
-    if (larger == 0)
-        return cylint_exact_zero(arena);
-    return larger > 0 ? combine(arena, x, y, 1) : combine(arena, y, x, 1);
+    /* mutant '<' -> '<=': of two equal ones either is right */
+    const int low = x.exponent < y.exponent ? x.exponent : y.exponent;
+    const int top = cylint_top_of(x) > cylint_top_of(y) ? cylint_top_of(x)
+                                                        : cylint_top_of(y);
+    const int n = top - low;
+    const uint64_t flip = x.sign == y.sign ? 0 : UINT64_MAX;
+    uint64_t *limb = take(arena, n + 1), carry = flip & 1;
+    for (int i = 0; i <= n; i++) {
+        const uint64_t addend = limb_at(y, low + i) ^ flip;
+        const uint64_t half = limb_at(x, low + i) + carry;
+        limb[i] = half + addend;
+        carry = (uint64_t)(half < carry) + (uint64_t)(limb[i] < addend);
+    }
+    const int is_negative = limb[n] == UINT64_MAX; /* |x| < |y| */
+    carry = 1;
+    for (int i = 0; i <= n && is_negative; i++) {
+        limb[i] = ~limb[i] + carry;
+        carry &= limb[i] == 0;
+    }
+    return trimmed(arena, limb, n + 1, low, is_negative ? y.sign : x.sign);
 }
 
 /* a b + *carry + c, of which *carry becomes the higher half. */
@@ -144,10 +123,12 @@ exact cylint_exact_mul(cylint_arena *arena, exact x, exact y)
     uint64_t *limb = take(arena, n);
     memset(limb, 0, (size_t)n * sizeof *limb);
     for (int i = 0; i < x.n; i++) {
+        const uint64_t digit = x.limb[i];
         uint64_t carry = 0;
+        if (digit == 0) /* most limbs of a sum of distant sizes */
+            continue;
         for (int j = 0; j < y.n; j++)
-            limb[i + j] =
-                multiply_add(x.limb[i], y.limb[j], limb[i + j], &carry);
+            limb[i + j] = multiply_add(digit, y.limb[j], limb[i + j], &carry);
         limb[i + y.n] = carry;
     }
     return trimmed(arena, limb, n, x.exponent + y.exponent, x.sign * y.sign);

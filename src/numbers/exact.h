@@ -93,8 +93,8 @@ static inline uint64_t cylint_leading_bits(exact x, int *shift)
 {
     const uint64_t high = x.limb[x.n - 1], low = x.n > 1 ? x.limb[x.n - 2] : 0;
     int k = 0;
-    while (!(high << k >> 63))
-        k++;
+    for (int step = 32; step > 0; step /= 2)
+        k += high << k >> (64 - step) == 0 ? step : 0;
     *shift = k;
     return k > 0 ? high << k | low >> (64 - k) : high;
 }
