@@ -56,7 +56,7 @@ TEST(a_pack_of_too_many_shapes_has_no_size)
 TEST(shapes_and_lines_are_made_the_same)
 {
     enum { FROM_AXIS = CYLINT_AT_UNIT - CYLINT_AT_AXIS };
-    EACH_CASE(c, check_seed() + 9, check_setting("CYLINT_CASES", 20)) {
+    EACH_CASE(c, check_seed() + 9, check_setting("CYLINT_CASES", 100)) {
         const double *d = c.line.d;
         CHECK(c.line.size == fmax(fabs(d[0]), fmax(fabs(d[1]), fabs(d[2]))));
         EACH_ENVIRONMENT(there) {
