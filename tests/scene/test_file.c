@@ -32,7 +32,7 @@
 #define HAS_PROCESSES
 #endif
 
-enum { SHAPES = 400, SMALL = 6 };
+enum { SHAPES = 400, SMALL = 6, MEMBERS = 7 };
 
 static const char path[] = "file"; /* in a folder of the test's own */
 
@@ -73,25 +73,25 @@ TEST(an_opened_scene_answers_as_the_saved_one_and_saves_the_same_bytes)
     remove(path);
 }
 
-/* A cylinder, a ball, an elliptic cone, a round cone, an infinite cylinder and
- * a tangent cone, with labels; two solids. */
+/* A cylinder, a ball, an elliptic cone, a round cone, an infinite cylinder and the
+ * nappe of a tangent cone, with labels; two solids. */
 static void write_small(struct bytes *b)
 {
     static const uint64_t ends[SMALL] = {1, 2, 2, 4, 5, 6};
     static const cylint_scene_labels labels = {ends, "abcdef"};
-    static const cylint_member members[] = {{0, 0, 1}, {1, 0, -2}, {3, 1, 1},
-                                            {2, 1, 1}, {5, 1, -7}, {4, 1, -7},
-                                            {4, 1, 8}};
+    static const cylint_member members[MEMBERS] = {
+        {0, 0, 1},  {1, 0, -2}, {3, 1, 1}, {2, 1, 1},
+        {5, 1, -7}, {4, 1, -7}, {4, 1, 8}};
     const cylint_shape shape[SMALL] = {
         shape_of("cylinder 0 0 0  3 1 2  0.125"),
         shape_of("sphere 3 1 2  0.5"),
         shape_of("econe 3 1 2  1 0.5 0  0 1 0.25  0 0 2  0.5 ends=open"),
         shape_of("rcone 0 0 0 0.5  1 0.5 0 0.25"),
         shape_of("cylinder 0 0 0  3 1 2  0.25 ends=infinite"),
-        shape_of("acone 1 0.5 0  3 1 2  30")};
+        shape_of("acone 1 0.5 0  3 1 2  30 ends=nappe")};
     OWN_SCENE *scene = cylint_scene_new(shape, SMALL, 1, NULL);
     cylint_scene_set_labels(scene, &labels);
-    CHECK(cylint_scene_set_solids(scene, members, 7) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_set_solids(scene, members, MEMBERS) == CYLINT_SCENE_OK);
     scene_file_write(scene, b);
 }
 
@@ -477,7 +477,7 @@ TEST(damaged_records_and_boxes_are_refused)
           CYLINT_SCENE_EDAMAGED);
 }
 
-enum { TAGS = 1, BOUNDED = 5, OTHERS, LABEL_ENDS, LABEL_TEXT };
+enum { TAGS = 1, BOUNDED = 5, OTHERS, LABEL_ENDS, LABEL_TEXT, SOLIDS };
 
 /* By one element, in the last block of the section. */
 TEST(a_longer_or_shorter_section_is_refused)
@@ -498,26 +498,30 @@ TEST(a_longer_or_shorter_section_is_refused)
     }
 }
 
-/* Of four shapes, numbers 0 and 2 are bounded. */
-TEST(numbers_of_shapes_in_another_order_are_refused)
+/* Of the small file, where shapes 0 to 3 are bounded and members are shape, solid
+ * and clause.  of: a section, a place in it, the number there, and another one. */
+TEST(damaged_numbers_of_shapes_and_members_are_refused)
 {
-    static const uint32_t refused[][2] = {{2, 0}, {3, 1}, {0, 0}, {1, 1},
-                                          {2, 2}, {3, 3}, {0, 4}, {4, 5}};
-    const cylint_shape rod = shape_of("cylinder 0 0 0  1 0 0  1"),
-                       whole =
-                           shape_of("cylinder 0 0 0  1 0 0  1 ends=infinite"),
-                       shape[4] = {rod, whole, rod, whole};
+    enum { LAST = 3 * (MEMBERS - 1) };
+    static const uint32_t of[][4] = {
+        {BOUNDED, 1, 1, 0},       {BOUNDED, 2, 2, 0},
+        {BOUNDED, 3, 3, 2},       {BOUNDED, 3, 3, SMALL},
+        {OTHERS, 0, 4, 5},        {OTHERS, 1, 5, 3},
+        {OTHERS, 1, 5, 4},        {OTHERS, 1, 5, SMALL},
+        {SOLIDS, 0, 0, SMALL},    {SOLIDS, 0, 0, UINT32_MAX},
+        {SOLIDS, 1, 0, MEMBERS},  {SOLIDS, 1, 0, UINT32_MAX},
+        {SOLIDS, 2, 1, 0},        {SOLIDS, 2, 1, 1u << 31},
+        {SOLIDS, LAST, 4, SMALL}, {SOLIDS, LAST + 1, 1, MEMBERS},
+        {SOLIDS, LAST + 2, 8, 0}};
     OWN_BYTES b = {NULL, NULL, 0};
-    OWN_SCENE *scene = cylint_scene_new(shape, 4, 1, NULL);
-    scene_file_write(scene, &b);
-    for (int section = BOUNDED; section <= OTHERS; section++) {
-        uint32_t *number = scene_file_section(&b, section);
-        const uint32_t first = (uint32_t)(section - BOUNDED);
-        CHECK(number[0] == first && number[1] == first + 2);
-        for (size_t k = 0; k < sizeof refused / sizeof *refused; k++)
-            if (!CHECK(scene_file_with(&b, number, refused[k], 8) ==
+    write_small(&b);
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        uint32_t *number = scene_file_section(&b, (int)of[i][0]);
+        number += of[i][1];
+        if (!CHECK(*number == of[i][2] &&
+                   scene_file_with(&b, number, &of[i][3], 4) ==
                        CYLINT_SCENE_EDAMAGED))
-                REPORT("section %d, numbers %zu", section, k);
+            REPORT("section %u, number %u", of[i][0], of[i][1]);
     }
 }
 

@@ -111,26 +111,16 @@ TEST(solids_replace_those_before)
 
 /* -------------------------------------------------------- saved scenes -- */
 
-enum { SECTION_OF_SOLIDS = 9 };
-
-/* Draws a world and lines, and writes its file. */
-static void begin_saved_world(uint64_t seed, struct bytes *b)
-{
-    stream = seed;
-    *b = (struct bytes){NULL, NULL, 0};
-    make_shapes();
-    make_solids();
-    draw_lines();
-    scene_file_write(world.scene, b);
-}
-
 TEST(saved_solids_are_the_same)
 {
     const long worlds = (long)check_setting("CYLINT_CASES", 100);
     stream = 3;
     for (long i = 0; i < worlds; i++) {
-        OWN_BYTES b;
-        begin_saved_world(stream, &b);
+        OWN_BYTES b = {NULL, NULL, 0};
+        make_shapes();
+        make_solids();
+        draw_lines();
+        scene_file_write(world.scene, &b);
         for (unsigned flags = 0; flags < 2; flags++) {
             OWN_SCENE *opened = cylint_scene_open_memory(
                 b.data, b.n, flags ? CYLINT_SCENE_TRUSTED : 0, NULL);
@@ -144,24 +134,6 @@ TEST(saved_solids_are_the_same)
             CHECK(same_solids(world.scene, opened));
         }
         CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_OK);
-    }
-}
-
-TEST(damaged_members_are_refused)
-{
-    OWN_BYTES b;
-    begin_saved_world(4, &b);
-    const uint32_t n = (uint32_t)world.members;
-    const uint32_t bad[][2] = {{0, SHAPES}, {0, UINT32_MAX},
-                               {1, n},      {1, UINT32_MAX},
-                               {2, 0},      {2, UINT32_C(1) << 31}};
-    uint32_t *word = scene_file_section(&b, SECTION_OF_SOLIDS);
-    CHECK(scene_file_sizes(&b)[SECTION_OF_SOLIDS] == 12 * world.members);
-    for (size_t i = 0; i < n; i++, word += 3) {
-        CHECK(word[0] == world.member[i].shape);
-        for (size_t k = 0; k < sizeof bad / sizeof *bad; k++)
-            CHECK(scene_file_with(&b, word + bad[k][0], &bad[k][1], 4) ==
-                  CYLINT_SCENE_EDAMAGED);
     }
 }
 
