@@ -370,42 +370,10 @@ TEST(shapes_at_the_distance_of_the_radius_are_near)
     }
 }
 
-enum { THOUSANDS = 10000 };
-
 static double count_visit(void *context, size_t number, const cylint_hit *hit)
 {
     ((unsigned char *)context)[number]++;
     return hit->t + 4;
-}
-
-/* Many more shapes of several slices than one traversal finds beside a full table,
- * and balls, which are whole. */
-TEST(thousands_of_shapes_of_several_slices_count_once)
-{
-    static const double p[3] = {0, 0, 0}, q[2][3] = {{8, 8, 8}, {9, 9, 9}},
-                        inside[3] = {3, 3, 3};
-    static cylint_shape shapes[THOUSANDS];
-    static size_t hit[THOUSANDS], near[THOUSANDS];
-    static unsigned char visits[THOUSANDS];
-    cylint_line line;
-    for (int i = 0; i < THOUSANDS; i++)
-        if (i % 9 == 0)
-            cylint_sphere(&shapes[i], (double[]){2, 2, 2}, 3,
-                          CYLINT_ENDS_CAPPED);
-        else
-            cylint_cylinder(&shapes[i], p, q[i % 2], 0.02, CYLINT_ENDS_CAPPED);
-    OWN_SCENE *scene = cylint_scene_new(shapes, THOUSANDS, 1, NULL);
-    CHECK(cylint_ray(&line, (double[]){1, 0, 1}, (double[]){0, 1, 0}) ==
-          CYLINT_OK);
-    CHECK(cylint_scene_count(scene, &line, 0) == THOUSANDS &&
-          cylint_scene_count(scene, &line, THOUSANDS - 1) == THOUSANDS - 1 &&
-          cylint_scene_contains(scene, inside, 0) == THOUSANDS &&
-          cylint_scene_all(scene, &line, 0, hit, THOUSANDS) == THOUSANDS &&
-          cylint_scene_within(scene, line.o, 1, 0, 0, near, NULL, THOUSANDS) ==
-              THOUSANDS);
-    cylint_scene_visit(scene, &line, CYLINT_WANT_T, count_visit, visits);
-    for (size_t i = 0; i < THOUSANDS; i++)
-        CHECK(hit[i] == i && near[i] == i && visits[i] == 1);
 }
 
 static size_t traversals;
@@ -418,20 +386,27 @@ static size_t count_traversal(const cylint_bvh *bvh,
     return cylint_traversal_used()->all(bvh, line, callback, self);
 }
 
-/* Beside the first traversal and a list: numbers that follow each other are found
- * as bits, others again as a list.  So the time grows as the number of shapes. */
-TEST(few_traversals_find_a_hundred_thousand_shapes)
+/* Shapes of several slices, many more than one traversal finds beside a full table,
+ * and balls, which are whole.  Beside the first traversal and a list, numbers that
+ * follow each other are found as bits, others again as a list.  So the time grows
+ * as the number of shapes. */
+TEST(few_traversals_find_a_hundred_thousand_shapes_once)
 {
     enum { ADDED = 3400, TIMES = 160, DENSE = 40 * ADDED, APART = 200 };
     enum { FOUND = DENSE + (TIMES - 40) * (ADDED / APART) };
+    static const double p[3] = {0, 0, 0}, q[2][3] = {{8, 8, 8}, {9, 9, 9}},
+                        inside[3] = {3, 3, 3};
     static cylint_shape all[ADDED], few[ADDED];
-    static size_t hit[FOUND + 1];
+    static size_t hit[FOUND + 1], near[FOUND + 1];
+    static unsigned char visits[ADDED * TIMES];
     cylint_traversal counting = *cylint_traversal_used();
     cylint_line line;
     counting.all = count_traversal;
     for (int i = 0; i < ADDED; i++) {
-        cylint_cylinder(&all[i], (double[]){0, 0, 0}, (double[]){8, 8, 8}, 0.02,
-                        CYLINT_ENDS_CAPPED);
+        if (i % 9 == 0)
+            cylint_sphere(&all[i], (double[]){2, 2, 2}, 3, CYLINT_ENDS_CAPPED);
+        else
+            cylint_cylinder(&all[i], p, q[i % 2], 0.02, CYLINT_ENDS_CAPPED);
         cylint_sphere(&few[i], (double[]){5, 1, 1}, 0.5, CYLINT_ENDS_CAPPED);
         if (i % APART == 0)
             few[i] = all[i];
@@ -442,11 +417,20 @@ TEST(few_traversals_find_a_hundred_thousand_shapes)
               CYLINT_SCENE_OK);
     CHECK(cylint_scene_finish(scene, 1, NULL, NULL) == CYLINT_SCENE_OK);
     cylint_ray(&line, (double[]){1, 0, 1}, (double[]){0, 1, 0});
+    CHECK(cylint_scene_count(scene, &line, 0) == FOUND &&
+          cylint_scene_count(scene, &line, FOUND - 1) == FOUND - 1 &&
+          cylint_scene_count(scene, &line, DENSE / 2) == DENSE / 2 &&
+          cylint_scene_contains(scene, inside, 0) == FOUND &&
+          cylint_scene_within(scene, line.o, 1, 0, 0, near, NULL, FOUND + 1) ==
+              FOUND);
+    cylint_scene_visit(scene, &line, CYLINT_WANT_T, count_visit, visits);
     scene->traversal = &counting;
     CHECK(cylint_scene_all(scene, &line, 0, hit, FOUND + 1) == FOUND &&
           traversals == 5);
-    for (size_t i = 0; i < FOUND; i++)
-        CHECK(hit[i] == (i < DENSE ? i : DENSE + (i - DENSE) * APART));
+    for (size_t i = 0; i < FOUND; i++) {
+        const size_t due = i < DENSE ? i : DENSE + (i - DENSE) * APART;
+        CHECK(hit[i] == due && near[i] == due && visits[due] == 1);
+    }
 }
 
 /* ------------------------------------------------------------ contracts -- */
