@@ -307,69 +307,6 @@ TEST(shapes_of_many_slices_count_once)
     CHECK(most_found > 250);
 }
 
-/* Elliptic cylinders that are flat but for the last bits of their semi-axes, so
- * that no plane between two slices can be computed in doubles.  All hold 0: their
- * numbers have so few bits that c is exact. */
-static void fill_sheets(struct scene_shapes *of)
-{
-    for (size_t i = 0; i < of->n;) {
-        const double z = (double)below(1024) * 0x1p-10,
-                     u = (double)below(9) * 0.125 - 0.5;
-        double c[3], a[3], b[3], h[3];
-        for (int j = 0; j < 3; j++) {
-            a[j] = (double)below(1 << 24) * 0x1p-28;
-            b[j] = a[j] + ((double)below(5) - 2) * 0x1p-57;
-            h[j] = 0.625 + (double)below(1 << 20) * 0x1p-24;
-            c[j] = -z * h[j] - u * a[j];
-        }
-        i += cylint_elliptic_cylinder(&of->shapes[i], c, a, b, h,
-                                      CYLINT_ENDS_CAPPED) == CYLINT_OK;
-    }
-}
-
-TEST(flat_shapes_of_several_slices_hold_their_points)
-{
-    static const double zero[3] = {0, 0, 0};
-    static cylint_shape shapes[BUNDLED];
-    struct scene_shapes of = {.name = "sheets", .shapes = shapes, .n = BUNDLED};
-    for (int k = 0; k < 8; k++) {
-        fill_sheets(&of);
-        OWN_SCENE *scene = open_scene(&of, 1);
-        CHECK(cylint_scene_contains(scene, zero, 0) == BUNDLED);
-    }
-}
-
-/* Thick oblique shapes of few slices, whose boxes overlap, and radii at which a
- * slice that is only a little farther is rejected.  Some points are as near to two
- * slices. */
-TEST(shapes_at_the_distance_of_the_radius_are_near)
-{
-    enum { COPIES = 220, TURNS = 90, POINTS_EACH = 60 };
-    static const double p[3] = {0, 0, 0}, q[3] = {8, 8, 8};
-    static const double between_slices[][3] = {
-        {4, 4, 5}, {0, 0, 1}, {-3, 0, 0}, {2, 2, 2}, {9, 0, 0}};
-    static cylint_shape shapes[COPIES];
-    stream = check_seed();
-    for (int k = 0; k < TURNS; k++) {
-        const double r = k > 0 ? between(0.3, 1.2) : 0.025,
-                     end = k > 0 ? r * between(0, 1) : r;
-        for (int i = 0; i < COPIES; i++)
-            (k % 3 ? cylint_round_cone : cylint_cone)(
-                &shapes[i], p, r, q, k % 3 == 1 ? r : end, CYLINT_ENDS_CAPPED);
-        OWN_SCENE *scene = cylint_scene_new(shapes, COPIES, 1, NULL);
-        for (int i = 0; i < POINTS_EACH; i++) {
-            cylint_closest near;
-            double at[3];
-            const double middle = between(0, 8);
-            for (int j = 0; j < 3; j++)
-                at[j] =
-                    i < 5 ? between_slices[i][j] : middle + r * between(-1, 1);
-            const double d = fabs(cylint_distance(shapes, at, 0, &near));
-            CHECK(cylint_scene_within_count(scene, at, d, 0, 0) == COPIES);
-        }
-    }
-}
-
 static double count_visit(void *context, size_t number, const cylint_hit *hit)
 {
     ((unsigned char *)context)[number]++;
