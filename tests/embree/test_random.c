@@ -72,6 +72,36 @@ static void trace(const struct world *w, struct rays *r, int coherent)
         }
 }
 
+/* A line of another length that begins up to `apart` sizes of the scene from this
+ * one.  turn: of its direction; components that are 0 stay 0, with any sign. */
+static cylint_line beside(const cylint_line *line, double apart, double turn)
+{
+    const double size = longest_side(scene), length = between(0.01, 1.01);
+    double o[3], d[3];
+    cylint_line to = *line;
+    for (int k = 0; k < 3; k++) {
+        o[k] = line->o[k] + apart * size * between(-1, 1);
+        d[k] = line->d[k] * length * (1 + turn * between(-1, 1));
+        if (d[k] == 0 && one_of(2))
+            d[k] = -d[k];
+    }
+    cylint_span(&to, o, d, line->tmin, line->tmax);
+    return to;
+}
+
+/* No ray of a query with the flag for coherent rays begins on a surface, where
+ * packets are an exception (cylint_embree.h). */
+static int draw_line(enum scene_lines kind, uint64_t seed, uint64_t index,
+                     int coherent, cylint_line *line)
+{
+    const int is = scene_line(scene, kind, seed, index, line) == CYLINT_OK;
+    if (is && coherent)
+        *line = beside(line, power(-4, -1), 0);
+    return is;
+}
+
+/* Single rays, and packets of which all, some or none are active.  The rays of a
+ * packet lie beside the first one, or two in three do, or one, or none. */
 static void trace_lines(const struct world *w, enum scene_lines kind,
                         uint64_t seed, int rays)
 {
@@ -79,113 +109,24 @@ static void trace_lines(const struct world *w, enum scene_lines kind,
     for (int n_rays = 0, turn = 0;
          n_rays < rays && index < 100u * (unsigned)rays; turn++) {
         struct rays r;
+        cylint_line first;
+        const int others = one_of(4), coherent = turn / 8 % 4 == 3;
+        const double share = turn % 8 < 4 ? 1 : between(0, 1);
+        const double apart = one_of(2) ? power(-4, 0) : 0, by = power(-4, 0);
         rays_begin(&r, rays_sizes[turn % 4]);
+        if (!draw_line(kind, seed, index++, coherent, &first))
+            continue;
         for (int i = 0; i < r.n; i++) {
-            cylint_line line;
-            if (scene_line(scene, kind, seed, index++, &line) == CYLINT_OK)
-                n_rays += add_line(&r, i, &line);
+            cylint_line line = i > 0 ? beside(&first, apart, by) : first;
+            if (i % 3 > 2 - others &&
+                !draw_line(kind, seed, index++, coherent, &line))
+                continue;
+            n_rays += add_line(&r, i, &line);
+            if (r.n > 1 && !chance(share))
+                r.valid[i] = 0; /* it too would hit */
         }
         if (r.n > 1 || r.valid[0])
-            trace(w, &r, 0);
-    }
-}
-
-/* -------------------------------------------------------------- packets -- */
-
-/* Arrangements of the rays of a packet. */
-enum manner {
-    EYE,    /* from one point to points that are near each other */
-    BEAM,   /* nearly parallel, from different places */
-    MIXED,  /* as from an eye, but every third anywhere */
-    OCTANT, /* only their signs are the same */
-    AFAR,   /* from an eye a hundred to a million sizes away */
-    ALONG,  /* parallel to the z axis, with zeros of both signs */
-    SPANS,  /* from an eye among the shapes, with ends of domains there */
-    ANYHOW,
-    MANNERS
-};
-
-struct aim {
-    double lo[3], size[3];
-    double eye[3], at[3], spread;
-};
-
-static void point(const struct aim *a, double p[3])
-{
-    for (int k = 0; k < 3; k++)
-        p[k] = a->lo[k] + a->size[k] * between(0, 1);
-}
-
-static struct aim draw_aim(enum manner manner)
-{
-    struct aim a;
-    double lo[3], hi[3];
-    float away[3];
-    const double far = manner == AFAR    ? power(2, 6)
-                       : manner == SPANS ? 0
-                                         : between(0, 2);
-    for (int k = 0; k < 3; k++) {
-        a.lo[k] = scene->lo[k];
-        a.size[k] = scene->hi[k] - scene->lo[k];
-    }
-    world_direction(away);
-    cylint_bounds(&scene->shapes[below(scene->n)], lo, hi);
-    for (int k = 0; k < 3; k++)
-        a.at[k] = (lo[k] + hi[k]) / 2;
-    point(&a, a.eye);
-    for (int k = 0; k < 3; k++)
-        a.eye[k] += far * a.size[k] * away[k];
-    a.spread = power(-4, 0);
-    return a;
-}
-
-/* A ray of the packet, with a random length. */
-static void add(const struct aim *a, enum manner manner, struct rays *r, int i)
-{
-    const int anywhere = manner == ANYHOW || (manner == MIXED && i % 3 == 0);
-    double from[3], to[3];
-    float o[3], d[3], tnear = 0, tfar = HUGE_VALF;
-    point(a, from);
-    point(a, to);
-    for (int k = 0; k < 3; k++) {
-        const double sign = a->at[k] < a->eye[k] ? -1 : 1;
-        if (manner == OCTANT)
-            to[k] = from[k] + sign * fabs(to[k] - from[k]);
-        else if (!anywhere) {
-            to[k] = a->at[k] + a->spread * (to[k] - a->at[k]);
-            from[k] = manner == ALONG && k < 2
-                          ? to[k]
-                          : a->eye[k] + (manner == BEAM ? to[k] - a->at[k] : 0);
-        }
-    }
-    const double length = between(0.01, 1.01);
-    for (int k = 0; k < 3; k++) {
-        o[k] = (float)from[k];
-        d[k] = (float)((to[k] - (double)o[k]) * length);
-        if (manner == ALONG && k < 2)
-            d[k] = chance(0.5) ? 0 : -0.0f;
-    }
-    if (manner == SPANS) {
-        tnear = (float)(between(0, 1) / length);
-        tfar = tnear + (float)(between(0, 1) / length);
-    }
-    rays_add(r, i, o, d, tnear, tfar);
-}
-
-/* All, some or none of the rays of a packet are active. */
-static void trace_packets(const struct world *w, int packets)
-{
-    for (int turn = 0; turn < packets; turn++) {
-        const enum manner manner = (enum manner)(turn % MANNERS);
-        const struct aim a = draw_aim(manner);
-        const double share = turn % 2 ? 1 : between(0, 1);
-        struct rays r;
-        rays_begin(&r, rays_sizes[1 + turn / MANNERS % 3]);
-        for (int i = 0; i < r.n; i++) {
-            add(&a, manner, &r, i);
-            r.valid[i] = chance(share) ? -1 : 0; /* it too would hit */
-        }
-        trace(w, &r, turn / 2 % 2);
+            trace(w, &r, coherent);
     }
 }
 
@@ -212,8 +153,7 @@ static void answers_are_those_of_brute_force(unsigned how, double far)
         OWN_WORLD w = world_of(&s, how, far);
         for (int kind = 0; kind < LINES_KINDS; kind++)
             trace_lines(&w, (enum scene_lines)kind, check_seed(),
-                        1 + rays / (4 * WORLD_SCENES * LINES_KINDS));
-        trace_packets(&w, 1 + rays / (6 * WORLD_SCENES));
+                        1 + 2 * rays / (WORLD_SCENES * LINES_KINDS));
     }
     CHECK(tally.rays >= rays / 2 && tally.hits > tally.rays / 4 &&
           tally.hits < tally.rays - tally.rays / 100);
@@ -255,7 +195,7 @@ TEST(hits_of_a_shape_that_share_a_float_are_distinguished)
     for (uint64_t turn = 1; turn <= 8; turn++) {
         OWN_SHAPES s = scene_generate(SCENE_LENGTHS, 300, turn);
         OWN_WORLD w = world_of(&s, turn % 2 ? 0 : CYLINT_EMBREE_BARE, 4095);
-        trace_lines(&w, LINES_BEYOND, turn, 3000);
+        trace_lines(&w, LINES_BEYOND, turn, 6000);
     }
     CHECK(tally.hits > tally.rays / 4);
 }
@@ -273,8 +213,7 @@ TEST(distant_and_large_shapes_are_hit_among_others)
         world_distant(s.shapes);
         OWN_WORLD w = world_of(&s, flags[how], 4095);
         for (int kind = 0; kind < LINES_KINDS; kind++)
-            trace_lines(&w, (enum scene_lines)kind, 1 + how, 1000);
-        trace_packets(&w, 1000);
+            trace_lines(&w, (enum scene_lines)kind, 1 + how, 2000);
     }
     CHECK(tally.hits > tally.rays / 4);
 }
