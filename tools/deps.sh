@@ -13,7 +13,7 @@ wanted='gcc g++ make mawk gawk pkg-config libmpfr-dev libgmp-dev mandoc libembre
     gcc-arm-linux-gnueabihf libc6-dev-armhf-cross
     gcc-riscv64-linux-gnu libc6-dev-riscv64-cross
     libc6-dev-i386 lib32gcc-$(gcc -dumpversion | cut -d . -f 1)-dev
-    gcc-mingw-w64-x86-64 wine64 musl-tools tcc"
+    gcc-mingw-w64-x86-64 wine64 musl-tools tcc libsimde-dev"
 [ "$1" = cluster ] && wanted="$wanted bash parallel python3 python3-venv"
 [ "$1" = cluster ] && ! command -v java >/dev/null &&
     wanted="$wanted default-jre-headless"

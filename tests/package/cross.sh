@@ -3,8 +3,8 @@
 # of this machine (make check-cross; takes some minutes).  Relation, n and all
 # members of hits must be the same bytes everywhere, and so must the library's
 # answers, which answers.c prints: hits, chords, distances, safeties.  Then the C
-# tests about systems and compilers run: under Windows (wine), and with subnormals
-# flushed.
+# tests about systems and compilers run: under Windows (wine), with subnormals
+# flushed, and with the AVX-512 kernels in AVX2 (tests/package/avx512.h).
 # The input is hard.txt and CYLINT_CASES (100000) records of all families with
 # CYLINT_SEED (1).  Parts without their compiler or emulator are skipped; `make
 # deps-cross` installs them.
@@ -74,7 +74,9 @@ folder_of() {
 }
 
 # built NAME TARGET...: by make in $folder with $compiler, $flags and $link;
-# numbers by the C library, since few targets have a C++ one
+# numbers by the C library, since few targets have a C++ one.  $avx512: other flags for
+# the AVX-512 kernels.
+avx512=
 built() {
     what=$1
     shift
@@ -83,7 +85,8 @@ built() {
         targets="$targets $folder/$target"
     done
     ${MAKE:-make} -s -C "$top" CC="$compiler" CXX17= CFLAGS="$flags" \
-        LDFLAGS="$link" BUILD="$folder" $targets >"$build/messages" 2>&1 ||
+        LDFLAGS="$link" ${avx512:+"avx512=$avx512"} BUILD="$folder" $targets \
+        >"$build/messages" 2>&1 ||
         not_built "$what"
 }
 
@@ -220,6 +223,23 @@ for compiler in gcc clang clang-19; do
     built "$compiler" $tests && tests_pass "$compiler" '' $tests
     sed -n 's/.*digest //p' "$build/messages" >>"$build/digests"
 done
+
+# The AVX-512 kernels, on processors with AVX2, in functions of SIMDe.
+name='AVX-512 (SIMDe)' compiler=gcc flags='-O2 -include tests/package/avx512.h'
+avx512='-mavx2 -mfma -mpopcnt -Wno-psabi -DEMULATED'
+folder=$(folder_of "$name")
+missing=$(grep -qw avx2 /proc/cpuinfo || echo 'no AVX2'
+    usable "$compiler" "$flags $avx512" '' '')
+if [ -z "$missing" ]; then
+    tests='tests/library/test_batch tests/distance/test_batch tests/scene/test_queries
+        tests/scene/test_paths'
+    built "$name" src/filter/many-avx512.o $tests && tests_pass "$name" '' $tests
+    sed -n 's/.*digest //p' "$build/messages" >>"$build/digests"
+else
+    skip "$name" "$missing"
+fi
+avx512=
+
 [ "$(sort -u "$build/digests" | wc -l)" -le 1 ]
 result 'test_paths has one digest from all compilers' $?
 
