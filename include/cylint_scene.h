@@ -130,8 +130,9 @@ CYLINT_API void cylint_scene_shape(const cylint_scene *scene, size_t number,
 
 /*
  * Moves shapes: shapes[0..n-1] take the places of shapes [first, first + n), and
- * queries return what those of a new scene do.  Boxes are made larger or smaller;
- * the tree above them stays, so queries take longer if shapes move away from their
+ * queries return what those of a new scene do; distances of an extreme elliptic
+ * shape, see cylint_distance(), may differ.  Boxes are made larger or smaller; the
+ * tree above them stays, so queries take longer if shapes move away from their
  * neighbours: see cylint_scene_worsening().
  *
  * Uses one thread and allocates nothing.  A few shapes that stay within the box of
