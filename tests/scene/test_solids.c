@@ -251,6 +251,41 @@ TEST(chords_take_so_many_bytes_and_half_spaces_of_a_solid_once)
           BALLS);
 }
 
+/* Each solid is a rod, cut by a half-space of its own, by one that all have in
+ * common, and by one large ball: these take no memory where the line hits no rod of
+ * their solid. */
+TEST(members_take_bytes_only_where_the_line_hits_their_solid)
+{
+    enum { RODS = 40, N = 2 * RODS + 2, CUTS = 4 };
+    static unsigned char memory[150 + 3 * 256 + 50];
+    cylint_workspace work = {memory, sizeof memory, 0};
+    cylint_member members[CUTS * RODS];
+    cylint_shape shape[N];
+    cylint_piece piece[2];
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
+    const double up[3] = {0, 0, 1}, middle[3] = {RODS / 2, 0, 0};
+    const cylint_line through =
+        case_of("line 7 -200 0.5  0 1 0  sphere 0 0 0 1").line;
+    for (int i = 0; i < RODS; i++) {
+        const double p[3] = {i, 0, 0}, q[3] = {i, 0, 1};
+        MUST(cylint_cylinder(&shape[i], p, q, 0.25, CYLINT_ENDS_CAPPED) ==
+                 CYLINT_OK &&
+             cylint_halfspace(&shape[RODS + i], q, up) == CYLINT_OK);
+        const size_t cut[CUTS] = {(size_t)i, RODS + (size_t)i, N - 2, N - 1};
+        for (int k = 0; k < CUTS; k++)
+            members[CUTS * i + k] = (cylint_member){cut[k], (size_t)i, k + 1};
+    }
+    MUST(cylint_halfspace(&shape[N - 2], middle, (double[3]){0, 1, 0}) ==
+             CYLINT_OK &&
+         cylint_sphere(&shape[N - 1], middle, 100, CYLINT_ENDS_CAPPED) ==
+             CYLINT_OK);
+    OWN_SCENE *scene = cylint_scene_new(shape, N, 1, NULL);
+    MUST(cylint_scene_set_solids(scene, members, CUTS * RODS) ==
+         CYLINT_SCENE_OK);
+    CHECK(cylint_scene_pieces(scene, &through, &rule, piece, 2, &work) == 1);
+    CHECK(piece[0].shape == 7 && piece[0].t0 == 199.75 && piece[0].t1 == 200);
+}
+
 /* ---------------------------------------------- one solid without a scene -- */
 
 /* One solid in world.member, some of its shapes refused. */
