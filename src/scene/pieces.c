@@ -437,17 +437,6 @@ static size_t write_swept_pieces(sweep *s, void *spare)
 
 /* -------------------------------------------------------------- lines -- */
 
-/* Whether the workspace has memory for a few chords; else writes how much to
- * try. */
-static int has_room(cylint_workspace *work)
-{
-    enum { SOME = 16 * sizeof(numbered_chord) };
-    if (work->bytes >= SOME)
-        return 1;
-    work->wanted = SOME;
-    return 0;
-}
-
 /* Writes the pieces of the c->n chords.  The memory has room for 2 c->capacity
  * chords; the second half is spare. */
 static size_t pieces_of_chords(collector *c, cylint_workspace *work, sweep *s)
@@ -496,13 +485,11 @@ static size_t find_pieces(collector *c, sweep *s, cylint_workspace *work)
     c->capacity = work->bytes / (2 * sizeof *c->chord);
     if (!c->line->valid || s->capacity == 0)
         return 0;
-    if (!has_room(work))
-        return CYLINT_NO_ROOM;
     /* each search is complete up to a larger t, the last one up to tmax */
     for (int i = are_few ? SEARCHES : 0;; i--) {
         collect(c, i > 0 ? s->capacity : 0, least_complete);
-        if (c->n > c->capacity) {
-            work->wanted = c->n * 2 * sizeof *c->chord;
+        if (c->n > c->capacity || !work->memory) {
+            work->wanted = (c->n + 1) * 2 * sizeof *c->chord;
             return CYLINT_NO_ROOM;
         }
         const size_t n = pieces_of_chords(c, work, s);
@@ -647,12 +634,10 @@ size_t cylint_scene_depth(const cylint_scene *scene, const double point[3],
     *owner = scene->n;
     if (!cylint_is_finite(point))
         return 0;
-    if (!has_room(work))
-        return CYLINT_NO_ROOM;
     cylint_visit_point(scene, point, 0, CYLINT_HOLDING_EARLY, 0, keep_chord,
                        &c);
-    work->wanted = c.n * sizeof *c.chord;
-    if (c.n > c.capacity)
+    work->wanted = (c.n + 1) * sizeof *c.chord;
+    if (c.n > c.capacity || !work->memory)
         return CYLINT_NO_ROOM;
     const size_t n = chords_of_solids(&c, work, &chord, &spare);
     for (size_t i = 0; n != CYLINT_NO_ROOM && i < n; i++)
