@@ -77,7 +77,7 @@ typedef struct {
     const cylint_line *line; /* the only one, where `lines` is NULL */
     cylint_piece_rule rule;
     size_t most;
-    piece_block *block, one; /* one: of few lines, which then allocate less */
+    piece_block *block;
     size_t n_blocks;
     /* of rows: [i + 1] is the number of pieces of line i; of sums NULL */
     size_t *first;
@@ -157,8 +157,7 @@ static cylint_scene_status answer_query(pieces_query *q, int threads,
 {
     q->rule.after = NULL;
     q->n_blocks = q->n / LINES_AT_ONCE + 1;
-    q->block =
-        q->n_blocks > 1 ? calloc(q->n_blocks, sizeof *q->block) : &q->one;
+    q->block = calloc(q->n_blocks, sizeof *q->block);
     if (!q->block)
         return CYLINT_SCENE_EMEMORY;
     cylint_threads_share(threads, q->n, LINES_AT_ONCE, LINES_A_THREAD,
@@ -169,8 +168,7 @@ static cylint_scene_status answer_query(pieces_query *q, int threads,
     has_failed = has_failed || (rows && !unite_rows(q, rows));
     for (size_t i = 0; i < q->n_blocks; i++)
         free(q->block[i].found.piece);
-    if (q->block != &q->one)
-        free(q->block);
+    free(q->block);
     return has_failed ? CYLINT_SCENE_EMEMORY : CYLINT_SCENE_OK;
 }
 
