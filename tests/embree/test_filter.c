@@ -298,3 +298,21 @@ TEST(a_tfar_that_a_filter_writes_stays_if_it_accepts_the_hit)
             CHECK(rays_at(&r, RAY_TFAR, n - 1)->f == (accepts ? written : 8));
         }
 }
+
+/* A disc at the double above 3 is not hit after the ball before it, of which the
+ * filter writes 3. */
+TEST(a_root_a_double_beyond_a_tfar_that_a_filter_wrote_is_no_hit)
+{
+    const float o[3] = {0, 0, 0}, d[3] = {1, 0, 0};
+    const cylint_shape shape[2] = {
+        shape_of("sphere 2 0 0  0.5"),
+        shape_of("cylinder 3.0000000000000004 0 0  4 0 0  1")};
+    OWN_WORLD w = world_with(shape, 2, 0);
+    world_filter(&w, writing_filter);
+    written = 3;
+    accepts = 1;
+    EACH_SIZE(n) {
+        struct rays r = equal_rays(w.scene, n, o, d, 0, 8);
+        CHECK(rays_hit(&r, n - 1) && rays_at(&r, HIT_PRIM, n - 1)->u == 0);
+    }
+}
