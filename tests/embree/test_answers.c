@@ -255,6 +255,23 @@ TEST(a_root_beyond_tfar_is_no_hit_though_its_double_is_tfar)
     }
 }
 
+/* The ray enters and leaves a needle at one double t, in two slices; which of them
+ * it reaches first depends on the direction of the axis. */
+TEST(of_two_hits_of_a_shape_at_one_double_the_entry_is_reported)
+{
+    const double ends[2][3] = {{0x1p20 - 512, -512, 0x1p20},
+                               {0x1p20 + 512, 512, 0x1p20}};
+    const float o[3] = {0, 0, 0}, d[3] = {1, 0, 1};
+    for (int end = 0; end < 2; end++) {
+        cylint_shape needle;
+        CHECK(cylint_cylinder(&needle, ends[end], ends[!end], 0x1p-36,
+                              CYLINT_ENDS_CAPPED) == CYLINT_OK);
+        EACH_WAY(w, &needle, 1)
+            EACH_SIZE(n)
+                traced(&w, n, o, d, 0, HUGE_VALF);
+    }
+}
+
 /* Branches of round cones from one ball, away from rays that enter or leave it; or
  * from balls a few doubles apart. */
 TEST(a_ball_in_common_is_hit_on_the_lowest_number)

@@ -299,20 +299,51 @@ TEST(a_tfar_that_a_filter_writes_stays_if_it_accepts_the_hit)
         }
 }
 
-/* A disc at the double above 3 is not hit after the ball before it, of which the
- * filter writes 3. */
-TEST(a_root_a_double_beyond_a_tfar_that_a_filter_wrote_is_no_hit)
+/* After a ball of which the filter writes 3, a disc at 3 is hit, and one at the
+ * double above 3 is not. */
+TEST(a_tfar_that_a_filter_wrote_ends_the_domain)
 {
+    static const char *const disc[2] = {
+        "cylinder 3.0000000000000004 0 0  4 0 0  1",
+        "cylinder 3 0 0  4 0 0  1"};
     const float o[3] = {0, 0, 0}, d[3] = {1, 0, 0};
-    const cylint_shape shape[2] = {
-        shape_of("sphere 2 0 0  0.5"),
-        shape_of("cylinder 3.0000000000000004 0 0  4 0 0  1")};
-    OWN_WORLD w = world_with(shape, 2, 0);
-    world_filter(&w, writing_filter);
     written = 3;
     accepts = 1;
-    EACH_SIZE(n) {
-        struct rays r = equal_rays(w.scene, n, o, d, 0, 8);
-        CHECK(rays_hit(&r, n - 1) && rays_at(&r, HIT_PRIM, n - 1)->u == 0);
+    for (unsigned i = 0; i < 2; i++) {
+        const cylint_shape shape[2] = {shape_of("sphere 2 0 0  0.5"),
+                                       shape_of(disc[i])};
+        OWN_WORLD w = world_with(shape, 2, 0);
+        world_filter(&w, writing_filter);
+        EACH_SIZE(n) {
+            struct rays r = equal_rays(w.scene, n, o, d, 0, 8);
+            CHECK(rays_hit(&r, n - 1) && rays_at(&r, HIT_PRIM, n - 1)->u == i);
+        }
+    }
+}
+
+static void reject(const struct RTCFilterFunctionNArguments *a)
+{
+    a->valid[0] = 0;
+}
+
+TEST(each_query_has_its_own_filter)
+{
+    const float o[3] = {0, 0, 0}, d[3] = {1, 0, 0};
+    const cylint_shape ball = shape_of("sphere 3 0 0  1");
+    OWN_WORLD w = world_with(&ball, 1, 0);
+    for (int occlusion = 0; occlusion < 2; occlusion++) {
+        rtcSetGeometryIntersectFilterFunction(w.geometry,
+                                              occlusion ? NULL : reject);
+        rtcSetGeometryOccludedFilterFunction(w.geometry,
+                                             occlusion ? reject : NULL);
+        rtcCommitGeometry(w.geometry);
+        rtcCommitScene(w.scene);
+        EACH_SIZE(n) {
+            struct rays r = equal_rays(w.scene, n, o, d, 0, 8);
+            CHECK(rays_hit(&r, n - 1) == occlusion);
+            memcpy(r.word, r.before, sizeof r.word);
+            rays_occluded(&r, w.scene, NULL);
+            CHECK(rays_shadowed(&r, n - 1) == !occlusion);
+        }
     }
 }
