@@ -238,6 +238,9 @@ static const struct {
      CYLINT_SCENE_OK},
     {"touch file; chmod 755 file", "file", "find file -perm 755 | grep -q f",
      CYLINT_SCENE_OK},
+    /* its owner, too, if this process may set it */
+    {"touch file; chown 65534 file 2>&-; find file -user 65534 >file.owned",
+     "file", "find file -user 65534 | cmp - file.owned", CYLINT_SCENE_OK},
     {"touch $(printf %0255d 0)", longest_name, "test -s $(printf %0255d 0)",
      CYLINT_SCENE_OK},
     /* a folder cannot be replaced by a file */
