@@ -117,7 +117,6 @@ typedef struct cylint_ray_test {
     int found;          /* a hit was recorded */
     /* the last recorded hit: members of `q`, and its shape's rank */
     int last_ball, last_leaves;
-    float last_t;
     unsigned last_rank;
     /* of a packet: how the ray may hit a leaf, as in cylint_leaf_callback, and
      * a copy of the ray */

@@ -150,22 +150,41 @@ static size_t present_number(const ray_test *r)
                : r->data->n;
 }
 
+/* Describes hit i, of which z is known, in the question. */
+static void describe(ray_test *r, exact_hits *x, int i)
+{
+    cylint_hit *at = &x->answer.hit[i];
+    cylint_describe(&x->shape, &x->line, CYLINT_WANT_NORMAL | CYLINT_WANT_PHI,
+                    at);
+    EACH(j, 3)
+        r->q.floats[j] = (float)at->normal[j];
+    r->q.floats[3] = (float)at->z;
+    const float v = (float)at->phi;
+    r->q.floats[4] = v < 1 ? v : 1 - FLT_EPSILON / 2; /* below 1 */
+}
+
+/* Whether the ray's hit has the description of hit i, which is left in the
+ * question. */
+static int is_described(ray_test *r, exact_hits *x, int i)
+{
+    describe(r, x, i);
+    return memcmp(r->hit, r->q.floats, sizeof r->q.floats) == 0;
+}
+
 /* The index of the ray's present hit, of which tfar is the rounding, among the
- * library's.  If both hits of the shape round to tfar, u distinguishes them.  Bare
- * hits have no u: then it is the first hit, the one that is or will be the ray's
- * without filters.  -1 if the caller or a filter changed tfar. */
-static int find_present(const ray_test *r, size_t number, exact_hits *x)
+ * library's.  If both hits of the shape round to tfar, Ng, u and v distinguish them.
+ * Bare hits have none: then it is the first hit, the one that is or will be the
+ * ray's without filters.  -1 if the caller or a filter changed tfar. */
+static int find_present(ray_test *r, size_t number, exact_hits *x)
 {
     const uint32_t *rank = r->data->rank;
     int found = -1;
     intersect(r, rank ? rank[number] : number, 1, x);
-    for (int i = x->answer.n - 1; i >= 0; i--) {
-        const cylint_hit *at = &x->answer.hit[i];
-        if (rounded_up(at->t, r->ray->tfar) == r->ray->tfar &&
+    for (int i = x->answer.n - 1; i >= 0; i--)
+        if (rounded_up(x->answer.hit[i].t, r->ray->tfar) == r->ray->tfar &&
             (found < 0 || has_flag(r, CYLINT_EMBREE_BARE) ||
-             (float)at->z == r->hit->u))
+             is_described(r, x, i)))
             found = i;
-    }
     return found;
 }
 
@@ -173,7 +192,7 @@ static int find_present(const ray_test *r, size_t number, exact_hits *x)
  * the lower number.  tfar is the present t rounded up, so the present t is
  * needed only if t rounds to tfar too.  Each hit is tested once: a present hit
  * on the same shape is its other hit. */
-static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
+static int is_nearer(ray_test *r, const cylint_answer *answer, int i)
 {
     const unsigned number = number_of_rank(r, r->rank);
     const double t = answer->hit[i].t;
@@ -195,19 +214,6 @@ static int is_nearer(const ray_test *r, const cylint_answer *answer, int i)
 }
 
 /* -------------------------------------------------------- recording hits -- */
-
-/* Describes hit i, of which z is known, in the question. */
-static void describe(ray_test *r, exact_hits *x, int i)
-{
-    cylint_hit *at = &x->answer.hit[i];
-    cylint_describe(&x->shape, &x->line, CYLINT_WANT_NORMAL | CYLINT_WANT_PHI,
-                    at);
-    EACH(j, 3)
-        r->q.floats[j] = (float)at->normal[j];
-    r->q.floats[3] = (float)at->z;
-    const float v = (float)at->phi;
-    r->q.floats[4] = v < 1 ? v : 1 - FLT_EPSILON / 2; /* below 1 */
-}
 
 static void write_ids(const ray_test *r)
 {
@@ -275,7 +281,6 @@ static int record(ray_test *r)
     r->q.line.tmax = r->ray->tfar;
     r->last_ball = r->q.ball;
     r->last_rank = r->rank;
-    r->last_t = r->q.t;
     r->last_leaves = r->q.leaves;
     return r->found = 1;
 }
@@ -315,13 +320,12 @@ CYLINT_INLINE void filter_one(ray_test *r)
 }
 
 /* Whether the hit that the filter answers is the last recorded one, on a ball that
- * the shapes have in common, as those of a chain of round cones do.  lint: equal
- * bits are meant. */
+ * the shapes have in common, as those of a chain of round cones do: a ray enters
+ * and leaves a ball once.  lint: equal bits are meant. */
 static int repeats_hit(const ray_test *r)
 {
     cylint_record last;
-    if (r->last_ball < 0 || r->last_t != r->ray->tfar ||
-        r->last_leaves != r->q.leaves)
+    if (r->last_ball < 0 || r->last_leaves != r->q.leaves)
         return 0;
     cylint_embree_record(&r->data->shapes[0], r->last_rank, &last);
     return memcmp(&last.p0[0] + 4 * r->last_ball,

@@ -270,6 +270,31 @@ TEST(hits_of_one_float_are_in_the_order_of_their_doubles)
     }
 }
 
+static void reject_front(const struct RTCFilterFunctionNArguments *a)
+{
+    union ray_word hit[RAY_MEMBERS - HIT_NG];
+    memcpy(hit, a->hit, sizeof hit);
+    if (hit[HIT_PRIM - HIT_NG].u == rejected && hit[2].f < 0)
+        a->valid[0] = 0;
+}
+
+/* Both hits of two equal balls round to one float. */
+TEST(of_equal_balls_the_entry_comes_before_the_exit_of_the_other)
+{
+    const float o[3] = {0, 0, 0}, d[3] = {0, 0, 1};
+    const double center[3] = {0, 0, 8 + 0x1p-38};
+    cylint_shape ball[2];
+    for (int i = 0; i < 2; i++)
+        cylint_sphere(&ball[i], center, 0x1p-40, CYLINT_ENDS_CAPPED);
+    for (rejected = 0; rejected < 2; rejected++)
+        EACH_WAY(w, ball, 2) {
+            world_filter(&w, reject_front);
+            struct rays r = equal_rays(w.scene, 1, o, d, 0, HUGE_VALF);
+            CHECK(rays_hit(&r, 0) && rays_at(&r, HIT_PRIM, 0)->u == !rejected &&
+                  rays_at(&r, HIT_NG + 2, 0)->f < 0);
+        }
+}
+
 /* What the filter below writes to tfar, and whether it accepts. */
 static float written;
 static int accepts;
