@@ -282,10 +282,10 @@ static void reject_front(const struct RTCFilterFunctionNArguments *a)
 TEST(of_equal_balls_the_entry_comes_before_the_exit_of_the_other)
 {
     const float o[3] = {0, 0, 0}, d[3] = {0, 0, 1};
-    const double center[3] = {0, 0, 8 + 0x1p-38};
+    const double center[3] = {0, 0, 8 + 0x1p-21};
     cylint_shape ball[2];
     for (int i = 0; i < 2; i++)
-        cylint_sphere(&ball[i], center, 0x1p-40, CYLINT_ENDS_CAPPED);
+        cylint_sphere(&ball[i], center, 0x1p-22, CYLINT_ENDS_CAPPED);
     for (rejected = 0; rejected < 2; rejected++)
         EACH_WAY(w, ball, 2) {
             world_filter(&w, reject_front);
