@@ -53,7 +53,7 @@ size_t cylint_build_most_nodes(size_t leaves);
  * last, and writes the nodes above them, the root first.  It splits from the
  * top down where the sum of area times number of leaves is least.  Bins, and
  * for many boxes a sample, approximate that place, which is then moved to the
- * next multiple of 8.  Returns the number of nodes, each of which stands before
+ * nearest multiple of 8.  Returns the number of nodes, each of which stands before
  * its children, or 0 if the watch stops it.  The result does not depend on the
  * number of threads.
  */

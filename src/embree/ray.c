@@ -164,7 +164,7 @@ static void describe(ray_test *r, exact_hits *x, int i)
 }
 
 /* Whether the ray's hit has the description of hit i, which is left in the
- * question. */
+ * question.  lint: equal bits are meant. */
 static int is_described(ray_test *r, exact_hits *x, int i)
 {
     describe(r, x, i);
