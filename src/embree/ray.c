@@ -172,9 +172,9 @@ static int is_described(ray_test *r, exact_hits *x, int i)
 }
 
 /* The index of the ray's present hit, of which tfar is the rounding, among the
- * library's.  If both hits of the shape round to tfar, Ng, u and v distinguish them.
- * Bare hits have none: then it is the first hit, the one that is or will be the
- * ray's without filters.  -1 if the caller or a filter changed tfar. */
+ * library's.  If both hits of the shape round to tfar, Ng, u and v distinguish
+ * them.  Bare hits have none: then it is the first hit, the one that is or will be
+ * the ray's without filters.  -1 if the caller or a filter changed tfar. */
 static int find_present(ray_test *r, size_t number, exact_hits *x)
 {
     const uint32_t *rank = r->data->rank;

@@ -51,8 +51,8 @@ static inline void cylint_embree_record(const cylint_embree_shapes *s,
         number[j] = (double)small[j];
 }
 
-/* Copies the n shapes of a view, at least one.  *to holds none before.  Returns 0 if
- * memory is refused; the caller frees its memory then too. */
+/* Copies the n shapes of a view, at least one, to *to, which holds none.  Returns 0
+ * if memory is refused; the caller frees its memory then too. */
 int cylint_embree_shapes_copy(cylint_embree_shapes *to,
                               const cylint_bvh_input *from);
 
