@@ -45,7 +45,7 @@ static struct grammar make_grammar(unsigned a, unsigned b)
     struct grammar g = {0};
     g.has_line = a % 3 != 0;
     g.has_shape = a % 3 != 1;
-    const int kind = (int)(a / 3 % (LINE_KINDS + 1)) - 1;
+    const int kind = (int)(a / 3 % (LINE_POINT + 2)) - 1;
     g.line = g.has_line ? kind : NOT_GIVEN;
     g.shape = g.has_shape && g.line != NOT_GIVEN
                   ? (int)(a / 18 % CYLINT_KIND_HALFSPACE)

@@ -154,8 +154,7 @@ static int count_numbers(struct reader r)
 {
     double value;
     int count = 0;
-    for (const char *after;
-         r.p < r.end && (after = end_of_number(r.p, r.end, &value));
+    for (const char *after; (after = end_of_number(r.p, r.end, &value));
          skip_to(&r, after))
         count++;
     return count;
@@ -175,12 +174,10 @@ static struct string decimal_comma(const struct reader *r)
     if (!comma || from == comma || (from > begin && !is_blank(from[-1])))
         return between(begin, begin);
     const char *const to = field_end(comma + 1, end), *after = comma + 1;
-    double value;
-    while (after < to && is_digit(*after))
+    while (is_digit(*after))
         after++;
-    return (after == to || *after == 'e' || *after == 'E') &&
-                   end_of_number(comma + 1, to, &value) == to &&
-                   (end - to < 2 || *to != ',' || is_blank(to[1]))
+    return after > comma + 1 && (after == to || (*after | 0x20) == 'e') &&
+                   (*to != ',' || is_blank(to[1]))
                ? between(from, to)
                : between(begin, begin);
 }
@@ -193,7 +190,7 @@ static void advise_on_separators(struct reader *r)
 {
     double value;
     const char *after = cylint_read_number(r->p, r->end, &value);
-    const int has_semicolon = after && after < r->end && *after == ';';
+    const int has_semicolon = after && *after == ';';
     skip_field(r);
     if (has_semicolon || decimal_comma(r).length > 0)
         advise(r->notes, SEPARATORS);
@@ -201,11 +198,11 @@ static void advise_on_separators(struct reader *r)
 
 void remark_decimal_comma(struct reader *r)
 {
-    if (*r->p > '9') /* a letter, as of most tails */
+    double value;
+    if (!end_of_number(r->p, r->end, &value))
         return;
     const struct string found = decimal_comma(r);
-    if (found.length > 0 && count_numbers(*r) > 0 &&
-        wants_remark(r->notes, REMARK_NUMBERS)) {
+    if (found.length > 0 && wants_remark(r->notes, REMARK_NUMBERS)) {
         refuse_text(r->notes, "these are two numbers", found);
         advise(r->notes, SEPARATORS);
         make_remark(r->notes, REMARK_NUMBERS);
@@ -381,7 +378,7 @@ static int read_words(struct reader *r, const struct grammar *g,
     if (g->has_line && g->has_shape && is_solid_next(r))
         return refuse_field(
             r, "in= and out= are for the shapes of a scene, -s FILE");
-    if (g->no_left_out && !g->has_shape && is_next(r, NOT_WORD))
+    if (g->no_left_out && is_next(r, NOT_WORD))
         return refuse_field(r, g->no_left_out);
     while (g->has_shape ? !g->has_line && is_solid_next(r)
                         : is_next(r, NOT_WORD))
@@ -436,7 +433,7 @@ static int has_late_word(struct reader r, const struct grammar *g)
     if (!memchr(r.p, '=', (size_t)(r.end - r.p)))
         return 0;
     for (; r.p < r.end; skip_field(&r))
-        if ((g->has_line && is_next(&r, NOT_WORD)) ||
+        if (is_next(&r, NOT_WORD) ||
             (!(g->has_shape && r.has_word) && is_next(&r, ENDS_WORD)) ||
             (!g->has_line && is_solid_next(&r)))
             return refuse_field(&r, "this word has no effect within the tail");
@@ -489,8 +486,7 @@ static int read_tail(struct reader *r, const struct grammar *g,
 
 static void remark_domain(int kind, const char *at, struct notes *notes)
 {
-    if (kind >= LINE_SEGMENT && kind < LINE_KINDS &&
-        wants_remark(notes, REMARK_DOMAIN)) {
+    if (kind >= LINE_SEGMENT && wants_remark(notes, REMARK_DOMAIN)) {
         refuse(notes, at, "-t has no effect on a %s", line_kinds[kind].word);
         make_remark(notes, REMARK_DOMAIN);
     }

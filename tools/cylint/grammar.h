@@ -17,14 +17,7 @@
 #include "text.h"
 
 /* Lines, and a point. */
-enum line_kind {
-    LINE_WHOLE,
-    LINE_RAY,
-    LINE_SEGMENT,
-    LINE_SPAN,
-    LINE_POINT,
-    LINE_KINDS
-};
+enum line_kind { LINE_WHOLE, LINE_RAY, LINE_SEGMENT, LINE_SPAN, LINE_POINT };
 
 /* The number of a kind of shape, from 0; NOT_GIVEN for CYLINT_KIND_NONE.  And the
  * kind with a number. */
