@@ -177,19 +177,18 @@ static int take_long(struct arguments *args, const char *text)
 
 static int take_short(struct arguments *args, const char *letters)
 {
-    int status = 0;
-    for (const char *p = letters; *p && status == 0; p++) {
+    for (const char *p = letters; *p; p++) {
         const struct string letter = between(p, p + 1);
         const int i = find_word(WORDS(args->table), letter);
-        const struct option *o = &args->table[i == NOT_GIVEN ? 0 : i];
         if (i == NOT_GIVEN)
             return refuse_option(args->table, "-",
                                  p == letters ? string_of(p) : letter);
+        const struct option *o = &args->table[i];
         if (o->value)
             return p[1] ? set(args, o, p + 1) : set_next(args, o);
-        status = set(args, o, NULL);
+        set(args, o, NULL);
     }
-    return status;
+    return 0;
 }
 
 int take_arguments(const struct option *table, int argc, char **argv,
@@ -223,7 +222,7 @@ int was_given(const struct option *table, unsigned long long given,
 /* Prints the lines of a help from one column on. */
 static void print_help(int column, const char *help)
 {
-    if (*help == '\0' || column > HELP_COLUMN - 2) {
+    if (column > HELP_COLUMN - 2) {
         printf("\n");
         column = 0;
     }

@@ -25,7 +25,7 @@ struct option {
     const char *name; /* one letter: a short option */
     /* the name of its value, after a blank or =; NULL: it has none */
     const char *value;
-    option_reader *read;
+    option_reader *read; /* a letter without a value cannot be wrong */
     size_t place; /* of the member that it sets, in the struct of all options */
     /* for read_word: a const char *const[], ended by NULL; else what messages
      * expect, a const char * */

@@ -34,19 +34,16 @@ struct column {
 };
 
 const struct query_kind query_kinds[] = {
-    {"pairs", "relation,n,t0,t1", "distance,part", "distance,part", 0, 0, 0},
-    {"nearest", "shape,t,part", "shape,distance,part,label",
-     "shape,distance,part", 0, 0, 0},
-    {"any", "any", "any", "any", 0, 0, 0},
-    {"count", "count", "count", "count", 0, 0, 0},
-    {"all", "record,shape,t0,t1", "record,shape,distance",
-     "record,shape,distance", 0, 0, 0},
-    {"first", "shape,t,part", "", "", 0, "the query first is for lines",
+    {"pairs", "relation,n,t0,t1", "distance,part", 0, 0, 0},
+    {"nearest", "shape,t,part", "shape,distance,part,label", 0, 0, 0},
+    {"any", "any", "any", 0, 0, 0},
+    {"count", "count", "count", 0, 0, 0},
+    {"all", "record,shape,t0,t1", "record,shape,distance", 0, 0, 0},
+    {"first", "shape,t,part", "", 0, "the query first is for lines",
      "the query first leaves out no shapes"},
-    {"pieces", "record,t0,t1,shape,depth", "", "", 0,
+    {"pieces", "record,t0,t1,shape,depth", "", 0,
      "the query pieces is for lines", "the query pieces leaves out no shapes"},
-    {"inside", "count", "count", "count", "the query inside is for points", 0,
-     0},
+    {"inside", "count", "count", "the query inside is for points", 0, 0},
     {0}};
 
 static const char *const relations[] = {[CYLINT_RELATION_MISS] = "miss",
@@ -134,7 +131,7 @@ static const struct column columns[] = {
      "t1 - t0"},
     {"shape", OF_SHAPES, TYPE_WHOLE, AT(shape), NULL, HITS_ANY, 0,
      "number of the shape in the scene, from 1; 0 for none"},
-    {"label", OF_SHAPES, TYPE_LABEL, 0, NULL, HITS_ANY, 0,
+    {"label", OF_SHAPES, TYPE_LABEL, AT(label), NULL, HITS_ANY, 0,
      "the tail of the shape's line in the scene"},
     {"depth", PIECES | OF_POINTS(INSIDE), TYPE_WHOLE, AT(depth), NULL, HITS_ANY,
      0, "number of solids that contain the piece or the point"},
@@ -169,14 +166,12 @@ const char *similar_field(struct string name, int query)
 
 static void add_field(struct fields *fields, const struct column *c, int query)
 {
-    const int is_whole = c->type == TYPE_WHOLE;
-    const int is_count = is_whole && c->place == AT(count);
     fields->column[fields->count++] = c;
     fields->want |= c->want;
     fields->label_count += c->type == TYPE_LABEL;
-    fields->has_count |= is_count;
-    fields->has_solids |= query == QUERY_INSIDE + QUERIES && !is_count &&
-                          !(is_whole && c->place == AT(record));
+    fields->has_count |= c->place == AT(count);
+    fields->has_solids |= query == QUERY_INSIDE + QUERIES &&
+                          c->place != AT(count) && c->place != AT(record);
     if (c->hits == HITS_TWO || (c->words == NULL && c->type == TYPE_WORD))
         fields->want &= ~(unsigned)CYLINT_WANT_NEAREST;
 }

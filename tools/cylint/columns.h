@@ -25,9 +25,7 @@ enum query {
 
 struct query_kind {
     const char *word;
-    /* the columns unless -f is given: of lines, of points, of points in
-     * binary */
-    const char *fields, *point_fields, *binary_fields;
+    const char *fields, *point_fields; /* the columns unless -f is given */
     /* why a line, a point or not=NAME is wrong, or NULL */
     const char *no_lines, *no_points, *no_left_out;
 };

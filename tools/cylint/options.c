@@ -168,7 +168,8 @@ static const struct option option_table[] = {
     {"list", "=WHAT", read_about, AT(about), lists, 0, 0,
      "methods, shapes or columns, one a line"},
     {"help", 0, read_about, AT(about), 0, 0, 0, NULL},
-    {"version", 0, read_about, AT(about), 0, 0, 0, ""},
+    {"version", 0, read_about, AT(about), 0, 0, 0,
+     "print this text or the version"},
     {0}};
 
 static int is_given(const struct options *o, const char *name)
@@ -198,7 +199,7 @@ static int settle_kinds(struct options *o)
                  g->has_shape ? "LINE,SHAPE, as in -k ray,cylinder"
                               : "LINE, as in -k ray",
                  escape(found, string_of(o->kinds), VALUE_MOST),
-                 g->has_shape && !shape && g->line != NOT_GIVEN
+                 !shape && g->line != NOT_GIVEN
                      ? "; with a scene, -s FILE, it is right"
                      : "");
 }
@@ -207,7 +208,7 @@ static int settle_needs(struct options *o)
 {
     static const char scene[] = "a scene, -s FILE",
                       answers[] = "answers: --save and --text write none";
-    const int is_pieces = o->scene && o->query == QUERY_PIECES;
+    const int is_pieces = o->query == QUERY_PIECES;
     const int is_answered = !o->save && !o->writes_text;
     const char *const missing[] = {
         [NEEDS_ANSWERS] = is_answered ? NULL : answers,
@@ -231,7 +232,7 @@ static int settle_needs(struct options *o)
 
 static int is_same_word(const char *a, const char *b)
 {
-    return a && b && strcmp(a, b) == 0;
+    return a && strcmp(a, b) == 0;
 }
 
 static int uses_stdin(const struct options *o)
@@ -286,9 +287,10 @@ static const char *find_columns(struct fields *fields, const struct options *o,
                                 int is_point)
 {
     const struct query_kind *q = &query_kinds[o->query];
-    const char *unless_given = !is_point            ? q->fields
-                               : o->style.is_binary ? q->binary_fields
-                                                    : q->point_fields;
+    const int has_no_labels = o->style.is_binary && o->query == QUERY_NEAREST;
+    const char *unless_given = !is_point       ? q->fields
+                               : has_no_labels ? "shape,distance,part"
+                                               : q->point_fields;
     return find_fields(fields, o->columns ? o->columns : unless_given,
                        (int)o->query + (is_point ? QUERIES : 0));
 }
@@ -303,7 +305,7 @@ static int settle_fields(struct options *o)
     if (g->no_lines && point_bad)
         return refuse_field_name(&o->point_fields, point_bad,
                                  (int)o->query + QUERIES);
-    if (!g->no_lines && bad && (point_bad || g->no_points))
+    if (bad && (point_bad || g->no_points))
         return refuse_field_name(&o->fields, bad, (int)o->query);
     if (bad && !g->no_lines)
         g->no_lines = "the columns of -f are those of points";
@@ -352,10 +354,8 @@ static int check_combinations(struct options *o)
         {out && is_given(o, "x"), "-x: binary output has no digits"},
         {out && is_given(o, "p"), "-p: binary output has no digits"},
         {out && is_given(o, "d"), "-d: binary output has no separators"},
-        {in && o->grammar.line == NOT_GIVEN && o->grammar.has_shape,
-         "binary input needs the kinds, -k LINE,SHAPE"},
         {in && o->grammar.line == NOT_GIVEN,
-         "binary input needs the kinds, -k LINE"},
+         "binary input needs the kinds: -k LINE,SHAPE, or with -s: -k LINE"},
         {out && o->writes_header, "--header: binary output has no header"},
         {out && options_fields(o)->label_count > 0,
          "-f label: binary output has numbers only"},

@@ -21,11 +21,9 @@ static const struct fields *fields_of(const struct task *task)
 static int is_left_out(const struct task *task, size_t shape)
 {
     const struct job *job = task->job;
-    return task->left_out.count > 0 &&
-           left_out_has(&task->left_out,
-                        job->options->not_label
-                            ? (size_t)job->groups.group_of[shape]
-                            : shape);
+    return left_out_has(
+        &task->left_out,
+        job->options->not_label ? (size_t)job->groups.group_of[shape] : shape);
 }
 
 /* ------------------------------------------------------------ one shape -- */

@@ -155,7 +155,8 @@ static const struct option option_table[] = {
     {"swc", "FORM", read_word, AT(swc), swc_forms, 0, 0,
      "the scene is a neuron, of cones (default) or round"},
     {"help", 0, read_about, AT(about), 0, 0, 0, NULL},
-    {"version", 0, read_about, AT(about), 0, 0, 0, ""},
+    {"version", 0, read_about, AT(about), 0, 0, 0,
+     "print this text or the version"},
     {0}};
 
 static int is_given(const struct options *o, const char *name)
