@@ -90,11 +90,11 @@ struct rank_file {
 /* Reads an integer.  Returns 0 if the text is none. */
 static int read_rank(struct string s, int *rank)
 {
-    const int has_sign = s.length > 0 && (*s.text == '-' || *s.text == '+');
+    const int has_sign = *s.text == '-' || *s.text == '+';
     unsigned long long size;
     const int is_whole =
         read_whole(between(s.text + has_sign, end_of(s)), INT_MAX, &size);
-    *rank = has_sign && *s.text == '-' ? -(int)size : (int)size;
+    *rank = *s.text == '-' ? -(int)size : (int)size;
     return is_whole;
 }
 

@@ -64,12 +64,12 @@ static int intersect_shape(struct task *task, const cylint_shape *shape,
                   where);
 }
 
-/* If a column needs it, sets the row's label to that of its shape. */
+/* Sets the row's label to that of its shape. */
 static void set_label(struct task *task)
 {
     struct row *row = &task->row;
     row->label.length = 0;
-    if (fields_of(task)->label_count > 0 && row->shape > 0)
+    if (row->shape > 0)
         row->label =
             labels_get(&task->job->scene.labels, (size_t)row->shape - 1);
 }
@@ -151,9 +151,8 @@ static double keep_number(struct search *s, size_t number, double key)
 static double handle_if_not_left_out(struct search *s, size_t number,
                                      double key)
 {
-    if (!is_left_out(s->task, number))
-        return s->handle_shape(s, number, key);
-    return s->shape > 0 ? s->least : HUGE_VAL;
+    return is_left_out(s->task, number) ? HUGE_VAL
+                                        : s->handle_shape(s, number, key);
 }
 
 static double handle_hit(void *search, size_t number, const cylint_hit *hit)

@@ -119,9 +119,8 @@ int scene_read_text(struct scene *scene)
     if (swc_is_neuron(file, scene->swc_form))
         return swc_read(scene);
     const int status = read_lines(file, 0, add_shape_of_line, &reading);
-    return status == 0 && scene->solids.count > 0
-               ? solids_complete(&scene->solids, scene->count, file)
-               : status;
+    return status == 0 ? solids_complete(&scene->solids, scene->count, file)
+                       : status;
 }
 
 /* --------------------------------------------------------- saved scenes -- */
@@ -141,11 +140,11 @@ int scene_open(struct scene *scene)
         scene->shapes = cylint_scene_open(file, 0, &status);
     if (status == CYLINT_SCENE_EFORMAT || status == CYLINT_SCENE_EFILE)
         return NOT_SAVED;
-    if (status == CYLINT_SCENE_OK && scene->ends != NOT_GIVEN)
+    if (scene->ends != NOT_GIVEN)
         return complain(
             EXIT_USAGE, file,
             "is a saved scene, whose shapes have their ends already");
-    if (status == CYLINT_SCENE_OK && scene->swc_form != NOT_GIVEN)
+    if (scene->swc_form != NOT_GIVEN)
         return complain(EXIT_USAGE, file, "is a saved scene, not a neuron");
     scene->count = scene->shapes ? cylint_scene_size(scene->shapes) : 0;
     return status == CYLINT_SCENE_OK && scene->keeps_labels

@@ -131,15 +131,14 @@ static int remark_slip(const struct solids *s, const char *file)
     char shown[SHOWN_CAPACITY], meant[SHOWN_CAPACITY];
     const size_t count = s->names.texts.count;
     char *has_shape = calloc(count + 1, 1);
-    size_t solid = 0, other = 0;
+    size_t solid = 0;
     if (!has_shape)
         return out_of_memory();
     for (size_t i = 0; i < s->count; i++)
         has_shape[s->member[i].solid] |= s->member[i].clause > 0;
     while (has_shape[solid])
         solid++;
-    if (solid == count)
-        other = count;
+    size_t other = solid == count ? count : 0;
     while (other < count &&
            !(has_shape[other] &&
              is_near(names_get(&s->names, solid), names_get(&s->names, other))))
