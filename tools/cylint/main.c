@@ -13,7 +13,7 @@ const char *const program = "cylint";
 
 static int needs_labels(const struct options *o)
 {
-    return (!o->grammar.no_lines && o->fields.label_count > 0) ||
+    return o->fields.label_count > 0 ||
            (!o->grammar.no_points && o->point_fields.label_count > 0) ||
            o->not_label || o->rank || o->sum;
 }

@@ -68,7 +68,7 @@ static void show(struct progress *p, double now, double done, double total)
             spent > 0 ? (double)p->count / spent : 0);
     if (p->in_bytes && done > 0 && spent > 0)
         fprintf(stderr, ", %.1f MB/s", 1e-6 * done / spent);
-    if (total > 0 && done > 0 && done <= total) {
+    if (done > 0 && done <= total) {
         fprintf(stderr, ", %.0f %%, %.0f s left", 100 * done / total,
                 spent * (total - done) / done);
     }

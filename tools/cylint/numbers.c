@@ -61,8 +61,8 @@ const char *cylint_read_number(const char *text, const char *end, double *value)
     const char *after = read_short(text, value);
     if (after)
         return after;
-    const char *p = text + (text < end && (*text == '+' || *text == '-'));
-    if (p == end || !(is_digit(*p) || *p == '.'))
+    const char *p = text + (*text == '+' || *text == '-');
+    if (!(is_digit(*p) || *p == '.'))
         return NULL;
     if (*p != '0' || (p[1] | 0x20) != 'x')
         return cylint_read_decimal(*text == '+' ? p : text, end, value);

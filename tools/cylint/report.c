@@ -32,7 +32,7 @@ int refuse(struct notes *notes, const char *at, const char *format, ...)
     note->record = notes->record;
     note->column = at ? (unsigned long long)(at - notes->text) + 1 : 1;
     note->remark = REMARK_NONE;
-    note->is_advised = note->looks_binary = 0;
+    note->looks_binary = 0;
     va_start(list, format);
     vsnprintf(note->text, NOTE_CAPACITY, format, list);
     va_end(list);
@@ -70,7 +70,6 @@ void advise(struct notes *notes, const char *advice)
 {
     if (!is_silent(notes))
         append(present_note(notes), "", advice, "");
-    present_note(notes)->is_advised = 1;
 }
 
 void suggest(struct notes *notes, struct words words, struct string text)
@@ -95,30 +94,26 @@ void make_remark(struct notes *notes, enum remark remark)
 }
 
 /* In text, control characters other than tabs and line ends are rare; in
- * random bytes every ninth is one.  A file looks binary if they are more than
- * one in 20 of the 512 bytes from the bad record on.  A few of them may be
- * typing errors. */
+ * random bytes every ninth is one.  A file looks binary if there are more than
+ * three in the 512 bytes from the bad record on: fewer may be typing errors. */
 static int looks_binary(const char *text, const char *end)
 {
-    enum { LOOKED_AT = 512, ONE_IN = 20, SLIPS = 3 };
+    enum { LOOKED_AT = 512, SLIPS = 3 };
     const size_t length = text ? (size_t)(end - text) : 0;
     const size_t looked_at = length < LOOKED_AT ? length : LOOKED_AT;
     size_t control = 0;
     for (size_t i = 0; i < looked_at; i++)
         control += (size_t)is_control(text[i]);
-    return control > SLIPS && control > looked_at / ONE_IN;
+    return control > SLIPS;
 }
 
-/* A note with advice is not tested for a binary file: that test depends on how many
- * bytes of a pipe were read. */
 void count_bad(struct notes *notes)
 {
     struct note *note = present_note(notes);
     notes->bad++;
     notes->may_remark = 0;
     if (notes->kept_bad < NOTES_MOST) {
-        note->looks_binary =
-            !note->is_advised && looks_binary(notes->text, notes->end);
+        note->looks_binary = looks_binary(notes->text, notes->end);
         notes->kept_bad++;
         notes->kept++;
     }

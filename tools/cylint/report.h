@@ -52,7 +52,6 @@ struct note {
     unsigned long long line, record, column; /* from 1; line 0: binary input */
     enum remark remark;
     int looks_binary; /* its file */
-    int is_advised;   /* the text says what to do */
     char text[NOTE_CAPACITY];
 };
 

@@ -111,7 +111,7 @@ static const char *read_size(const struct reader *r, uint64_t *size)
 static int read_node_number(struct reader *r, int is_parent, uint64_t *number)
 {
     const char *const after = read_size(r, number);
-    const int is_negative = after && *r->p == '-';
+    const int is_negative = *r->p == '-';
     if (!after || (is_negative && !(is_parent && *number == 1)))
         return refuse_other_field(r, is_parent ? "a node's number or -1"
                                                : "a node's number");
@@ -222,11 +222,11 @@ static int is_same_place(const double a[3], const double b[3])
 }
 
 /* Whether the node gives a shape: it has a length, or is a ball, and a radius.  A
- * round cone without length is a ball.  parent: NULL for a root. */
+ * round cone without length is a ball.  parent: NULL for a root with SWC_ROUND. */
 static int has_shape(const struct swc *swc, const struct swc_node *node,
                      const struct swc_node *parent)
 {
-    const int has_length = !parent || swc->scene->swc_form == SWC_ROUND ||
+    const int has_length = swc->scene->swc_form == SWC_ROUND ||
                            !is_same_place(node->ball, parent->ball);
     return has_length && (node->ball[3] > 0 || (parent && parent->ball[3] > 0));
 }

@@ -78,9 +78,7 @@ enum { COMPARED_MOST = 31 };
 /* Upper and lower case count as equal. */
 static int is_same_letter(char a, char b)
 {
-    const char lower = (char)(a | 0x20);
-    return a == b ||
-           (lower == (char)(b | 0x20) && lower >= 'a' && lower <= 'z');
+    return (a | 0x20) == (b | 0x20);
 }
 
 static int lesser(int a, int b)
