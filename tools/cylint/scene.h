@@ -45,7 +45,7 @@ int solids_complete(struct solids *solids, size_t shapes, const char *file);
  * solid without members.  NULL: no memory.  All members have clauses. */
 size_t *solids_numbers(const struct solids *solids);
 
-/* For qsort(): by solid, then by the clause's number, then by shape. */
+/* For qsort(): by solid, then by the clause's number. */
 int compare_by_solid(const void *a, const void *b);
 
 void solids_free(struct solids *solids);

@@ -67,10 +67,8 @@ int solids_read(struct solids *s, size_t shape, struct string words,
 int compare_by_solid(const void *a, const void *b)
 {
     const cylint_member *m = a, *n = b;
-    const int p = abs(m->clause), q = abs(n->clause);
     return m->solid != n->solid ? (m->solid > n->solid ? 1 : -1)
-           : p != q             ? (p > q ? 1 : -1)
-                                : (m->shape > n->shape) - (m->shape < n->shape);
+                                : abs(m->clause) - abs(n->clause);
 }
 
 /* Gives each clause of its own the number above all of its solid so far.  Returns 0
