@@ -78,16 +78,17 @@ static int refuse_value(char wrong[FAULT_CAPACITY], const char *key,
     return 0;
 }
 
-/* Reads (ROWS, columns), of up to 16 digits, so that the number of bytes has 64
- * bits. */
+/* Reads (ROWS, columns), perhaps with a comma at the end.  Of up to 16 digits, so
+ * that the number of bytes has 64 bits. */
 static int read_array_shape(const char *shape, size_t columns,
                             unsigned long long *rows)
 {
     unsigned long long found;
-    char bracket;
+    char last, bracket = 0;
     return shape &&
-           sscanf(shape, "(%16llu ,%16llu %c", rows, &found, &bracket) == 3 &&
-           found == columns && bracket == ')';
+           sscanf(shape, "(%16llu ,%16llu %c %c", rows, &found, &last,
+                  &bracket) >= 3 &&
+           found == columns && (last == ')' || (last == ',' && bracket == ')'));
 }
 
 static int read_dictionary(char *header, size_t length, size_t columns,
