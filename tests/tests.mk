@@ -42,7 +42,7 @@ $(if $(MPFR),,$(needs_mpfr:%=%.o)): $(BUILD)/tests/%.o: tests/support/no_mpfr.c 
 # --wrap: calls of these functions go to __wrap_ functions of a test.
 wrap = $(foreach c,$(1),-Wl,--wrap=$c)
 $(BUILD)/tests/scene/test_memory: wrapped := $(if $(WRAP),$(call wrap,malloc calloc realloc free pthread_create))
-$(BUILD)/tests/embree/test_shapes: wrapped := $(if $(WRAP),$(call wrap,rtcGetDeviceProperty rtcNewGeometry))
+$(BUILD)/tests/embree/test_shapes: wrapped := $(if $(WRAP),$(call wrap,pthread_create rtcGetDeviceProperty rtcNewGeometry))
 
 $(core_tests) $(scene_tests) $(embree_tests) $(BUILD)/tests/command/pixels:
 	$(link)

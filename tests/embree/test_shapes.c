@@ -4,6 +4,7 @@
  */
 #include <fenv.h>
 #include <math.h>
+#include <pthread.h>
 #include <string.h>
 
 #include "embree_world.h"
@@ -330,6 +331,32 @@ TEST(impossible_motion_is_refused_by_number)
 }
 
 #ifdef WRAPPED
+
+static int threads_started;
+
+int __real_pthread_create(pthread_t *, const pthread_attr_t *,
+                          void *(*)(void *), void *);
+int __wrap_pthread_create(pthread_t *, const pthread_attr_t *,
+                          void *(*)(void *), void *);
+
+int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes,
+                          void *(*function)(void *), void *argument)
+{
+    threads_started++;
+    return __real_pthread_create(thread, attributes, function, argument);
+}
+
+/* More shapes than a thread takes at once: see CYLINT_THREADS_LEAST_SHAPES. */
+TEST(the_default_is_one_thread)
+{
+    enum { MANY = 21000 };
+    static cylint_shape shapes[MANY];
+    world_shapes(SCENE_FIBRES, shapes, MANY);
+    threads_started = 0;
+    OWN_WORLD w = world_with(shapes, MANY, 0);
+    CHECK(world_update(&w) == CYLINT_EMBREE_OK);
+    CHECK(threads_started == 0);
+}
 
 /* What the device does not have: the version of the adapter, or geometries. */
 static enum { NOTHING, VERSION, GEOMETRIES } lacks;
