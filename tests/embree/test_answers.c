@@ -240,18 +240,20 @@ TEST(equal_and_nearly_equal_hits_are_distinguished)
 }
 
 /* Of caps at z = 0 and 2^-60, t is the same double, 1.  Where the domain ends at 1,
- * only the first are hit. */
+ * only the first are hit; a primitive does not distinguish such a tfar from that of
+ * a hit on another one. */
 TEST(a_root_beyond_tfar_is_no_hit_though_its_double_is_tfar)
 {
     cylint_shape shapes[CAPS];
     const float o[3] = {0.25f, 0.5f, -1}, d[3] = {0, 0, 1};
     for (int turn = 0; turn < 300; turn++) {
         draw_caps(shapes, 0.2, 0, 0x1p-60);
-        OWN_WORLD w = world_with(shapes, CAPS, 0);
-        EACH_SIZE(n) {
-            traced(&w, n, o, d, 0, 1);
-            traced(&w, n, o, d, 0, HUGE_VALF);
-        }
+        EACH_WAY(w, shapes, CAPS)
+            EACH_SIZE(n) {
+                if (way == 0)
+                    traced(&w, n, o, d, 0, 1);
+                traced(&w, n, o, d, 0, HUGE_VALF);
+            }
     }
 }
 
@@ -320,6 +322,22 @@ TEST(hits_on_another_geometry_do_not_hide_lower_numbers_or_nearer_hits)
         rtcCommitScene(w.scene);
         EACH_SIZE(n)
             traced(&w, n, o, d, 0, HUGE_VALF);
+    }
+}
+
+TEST(a_hit_has_the_number_that_its_geometry_has_in_the_scene)
+{
+    const float o[3] = {0, 0, 0}, d[3] = {1, 0, 0};
+    const cylint_shape ball = shape_of("sphere 3 0 0  1");
+    EACH_WAY(w, &ball, 1) {
+        RTCScene scene = world_new_scene();
+        rtcAttachGeometryByID(scene, w.geometry, 7);
+        rtcCommitScene(scene);
+        EACH_SIZE(n) {
+            struct rays r = equal_rays(scene, n, o, d, 0, HUGE_VALF);
+            CHECK(rays_at(&r, HIT_GEOM, n - 1)->u == 7);
+        }
+        rtcReleaseScene(scene);
     }
 }
 
