@@ -351,6 +351,24 @@ static void reject(const struct RTCFilterFunctionNArguments *a)
     a->valid[0] = 0;
 }
 
+/* The test of a leaf is certain that the ray hits the cylinder. */
+TEST(an_occlusion_filter_rejects_a_hit_that_is_certain)
+{
+    const float o[3] = {-9, 0, 0}, d[3] = {1, 0, 0};
+    const cylint_shape shape = shape_of("cylinder 0 -1 0  0 1 0  1");
+    OWN_WORLD w = world_with(&shape, 1, 0);
+    world_filter(&w, reject);
+    EACH_SIZE(n) {
+        struct rays r;
+        rays_begin(&r, n);
+        for (int i = 0; i < n; i++)
+            rays_add(&r, i, o, d, 0, HUGE_VALF);
+        rays_occluded(&r, w.scene, NULL);
+        for (int i = 0; i < n; i++)
+            CHECK(!rays_shadowed(&r, i));
+    }
+}
+
 TEST(each_query_has_its_own_filter)
 {
     const float o[3] = {0, 0, 0}, d[3] = {1, 0, 0};
