@@ -9,6 +9,7 @@
 #include "check.h"
 #include "cylint_scene.h"
 #include "draw.h"
+#include "families.h"
 #include "bvh/bvh.h"
 #include "bvh/leaf_test.h"
 #include "scene/scene.h"
@@ -410,6 +411,53 @@ TEST(slices_contain_the_hits_that_they_own)
         hits += check_slices(&shape, &line, 1 + i % 8);
     }
     CHECK(hits > 20000);
+}
+
+/* By 2^-20 of their length. */
+TEST(slices_overlap_their_neighbours)
+{
+    const cylint_shape shape = shape_of("rcone 0 0 0 0.01  1 0 0 0.02");
+    const cylint_view view = cylint_plain_view(&shape);
+    cylint_swept_disc swept;
+    cylint_swept_disc_of(&swept, &view, &shape);
+    for (int count = 2; count <= 16; count++)
+        for (int i = 1; i < count; i++) {
+            const cylint_slice at[2] = {{(uint16_t)(i - 1), (uint16_t)count},
+                                        {(uint16_t)i, (uint16_t)count}};
+            CHECK(cylint_slice_hull_of(&swept, at[0]).z[1] * count >
+                  i + 0x1p-21);
+            CHECK(cylint_slice_hull_of(&swept, at[1]).z[0] * count <
+                  i - 0x1p-21);
+        }
+}
+
+/* The plane of the cut is behind the end of the cone's lateral part, which is
+ * outside the convex hull of the sections at both ends of the first slice. */
+TEST(slices_of_a_round_cone_as_wide_as_long_are_the_whole)
+{
+    const cylint_shape shape = shape_of("rcone 0 0 0  0  -0.875 0.485 0  0.9");
+    for (int i = 1; i < 20; i++) {
+        const double z = 0.01 * i;
+        cylint_line line;
+        cylint_ray(&line, (double[]){-0.875 * z, 0.485 * z, 0},
+                   (double[]){0.485, 0.875, 0});
+        CHECK(check_slices(&shape, &line, 2) == 1);
+    }
+}
+
+/* Its sides are no doubles, and the nearest floats are inside it. */
+TEST(the_box_of_a_tiny_ball_contains_it)
+{
+    const cylint_shape ball = shape_of("sphere 1 -1 0  0x1p-60");
+    const cylint_view view = cylint_plain_view(&ball);
+    const cylint_slice whole = {0, 1};
+    cylint_swept_disc swept;
+    double reach[3];
+    cylint_swept_disc_of(&swept, &view, &ball);
+    cylint_swept_disc_reach(&swept, reach);
+    const cylint_extent box = cylint_slice_box(&swept, reach, whole);
+    CHECK(box.lower[0] < 1 && box.upper[0] > 1);
+    CHECK(box.lower[1] < -1 && box.upper[1] > -1);
 }
 
 /* ------------------------------------------------------------- stacks --- */
