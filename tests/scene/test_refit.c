@@ -8,6 +8,7 @@
 #include "check.h"
 #include "cylint_scene.h"
 #include "answers.h"
+#include "environment.h"
 #include "scene_file.h"
 #include "shapes/shape_facts.h"
 
@@ -149,6 +150,35 @@ TEST(one_shape_leaves_the_frame)
         }
 }
 
+/* A file keeps its box alone: in each rounding mode this makes the same frame. */
+static void check_frame(const cylint_scene *scene)
+{
+    const cylint_frame *f = &scene->frame;
+    EACH_ENVIRONMENT(e) {
+        cylint_frame again;
+        environment_set(e);
+        const int is_frame = cylint_frame_make(&again, f->lo, f->hi);
+        environment_reset();
+        CHECK(is_frame && again.view.scale == f->view.scale);
+        for (int j = 0; j < 3; j++)
+            CHECK(again.view.center[j] == f->view.center[j]);
+    }
+}
+
+/* The first shape is beside the hierarchy, so that numbers there are others. */
+TEST(the_last_shape_leaves_the_frame_of_others_than_the_first)
+{
+    const cylint_shape shapes[] = {
+        shape_of("cylinder 0 9 0  1 9 0  1 ends=infinite"),
+        shape_of("sphere 0 0 0  1"), shape_of("sphere 4 0 0  1")};
+    const cylint_shape far = shape_of("sphere 1234567.8 0 0  1");
+    OWN_SCENE *scene = cylint_scene_new(shapes, 3, 1, NULL);
+    CHECK(cylint_scene_refit(scene, 2, 1, &far) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_contains(scene, (double[]){1234567.8, 0, 0}, 0) == 1);
+    CHECK(cylint_scene_contains(scene, (double[]){0, 0, 0}, 0) == 1);
+    check_frame(scene);
+}
+
 /* Balls of radius r about x and -x. */
 static void fill_pair(cylint_shape shapes[2], double x, double r)
 {
@@ -179,6 +209,7 @@ TEST(shapes_move_to_the_ends_of_the_range)
             CHECK(cylint_scene_contains(scene, (double[]){to[i][0], 0, 0}, 0) ==
                   1);
             CHECK(cylint_scene_worsening(scene) > 0);
+            check_frame(scene);
         }
 }
 
