@@ -4,7 +4,6 @@
  */
 #include <fenv.h>
 #include <math.h>
-#include <pthread.h>
 #include <string.h>
 
 #include "embree_world.h"
@@ -332,19 +331,7 @@ TEST(impossible_motion_is_refused_by_number)
 
 #ifdef WRAPPED
 
-static int threads_started;
-
-int __real_pthread_create(pthread_t *, const pthread_attr_t *,
-                          void *(*)(void *), void *);
-int __wrap_pthread_create(pthread_t *, const pthread_attr_t *,
-                          void *(*)(void *), void *);
-
-int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes,
-                          void *(*function)(void *), void *argument)
-{
-    threads_started++;
-    return __real_pthread_create(thread, attributes, function, argument);
-}
+#include "started_threads.h"
 
 /* More shapes than a thread takes at once: see CYLINT_THREADS_LEAST_SHAPES. */
 TEST(the_default_is_one_thread)

@@ -6,8 +6,6 @@
  * replaces by the functions of heap.h.  Each allocation is refused in turn.  Where
  * memory that is not needed cannot be returned, the scene keeps it.
  */
-#include <errno.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,31 +29,9 @@ int main(void)
 #else
 
 #include "heap.h"
+#include "started_threads.h"
 
 enum { SHAPES = 300, ENOUGH = 1000, LINES = 6000 };
-
-/* Threads are started until so many are; NO_LIMIT: all are. */
-enum { NO_LIMIT = 1000 };
-static int threads_started, most_threads = NO_LIMIT;
-static size_t least_stack = SIZE_MAX; /* of a thread */
-
-int __real_pthread_create(pthread_t *, const pthread_attr_t *,
-                          void *(*)(void *), void *);
-int __wrap_pthread_create(pthread_t *, const pthread_attr_t *,
-                          void *(*)(void *), void *);
-
-int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes,
-                          void *(*function)(void *), void *argument)
-{
-    size_t stack = 0;
-    if (threads_started == most_threads)
-        return EAGAIN;
-    threads_started++;
-    if (attributes)
-        pthread_attr_getstacksize(attributes, &stack);
-    least_stack = stack < least_stack ? stack : least_stack;
-    return __real_pthread_create(thread, attributes, function, argument);
-}
 
 static void watch_heap(int refuse)
 {
