@@ -50,7 +50,7 @@ static void write_difference(double to[3], const double x[3], const double y[3])
         to[i] = x[i] - y[i] + 0.0; /* no -0 */
     }
     for (int i = 0; i < 3 && !exact; i++)
-        to[i] = cylint_positive_zero(cylint_difference(x[i], y[i]).hi);
+        to[i] = cylint_difference(x[i], y[i]).hi;
 }
 
 /* Writes each member of a valid shape once: to clear the struct first would cost
@@ -298,7 +298,7 @@ cylint_status cylint_segment(cylint_line *line, const double a[3],
     copy3(line->end, b);
     for (int i = 0; i < 3; i++) {
         const pair d = cylint_difference(b[i], a[i]);
-        line->d[i] = cylint_positive_zero(d.hi);
+        line->d[i] = d.hi;
         line->d_lo[i] = d.lo;
     }
     line->tmin = 0;

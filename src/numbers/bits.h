@@ -166,7 +166,7 @@ static inline int cylint_is_zero(const double x[3])
     return !cylint_sign(x[0]) && !cylint_sign(x[1]) && !cylint_sign(x[2]);
 }
 
-/* x - y as a pair, exactly, in every floating-point environment.  If x - y
+/* x - y as a pair, exactly, in every floating-point environment; never -0.  If x - y
  * overflows, lo is 0. */
 pair cylint_difference_by_bits(double x, double y);
 static inline pair cylint_difference(double x, double y)
@@ -174,7 +174,8 @@ static inline pair cylint_difference(double x, double y)
     const pair d = two_diff(x, y); /* beside DBL_MAX, lo can be NaN */
     const int is_exact = !cylint_too_small(x) && !cylint_too_small(y) &&
                          fabs(d.lo) <= DBL_MAX && cylint_rounds_to_nearest();
-    return is_exact ? d : cylint_difference_by_bits(x, y);
+    return is_exact ? (pair){d.hi + 0.0, d.lo}
+                    : cylint_difference_by_bits(x, y);
 }
 
 /* ---------------------------- bounded pairs, in rounding to nearest -- */
