@@ -94,17 +94,18 @@ void make_remark(struct notes *notes, enum remark remark)
 }
 
 /* In text, control characters other than tabs and line ends are rare; in
- * random bytes every ninth is one.  A file looks binary if there are more than
- * three in the 512 bytes from the bad record on: fewer may be typing errors. */
+ * random bytes every ninth is one.  A file looks binary if they are more than
+ * one in 20 of the 512 bytes from the bad record on.  A few of them may be
+ * typing errors. */
 static int looks_binary(const char *text, const char *end)
 {
-    enum { LOOKED_AT = 512, SLIPS = 3 };
+    enum { LOOKED_AT = 512, ONE_IN = 20, SLIPS = 3 };
     const size_t length = text ? (size_t)(end - text) : 0;
     const size_t looked_at = length < LOOKED_AT ? length : LOOKED_AT;
     size_t control = 0;
     for (size_t i = 0; i < looked_at; i++)
         control += (size_t)is_control(text[i]);
-    return control > SLIPS;
+    return control > SLIPS && control > looked_at / ONE_IN;
 }
 
 void count_bad(struct notes *notes)
