@@ -94,10 +94,10 @@ static cylint_line beside(const cylint_line *line, double apart, double turn)
 static int draw_line(enum scene_lines kind, uint64_t seed, uint64_t index,
                      int coherent, cylint_line *line)
 {
-    const int is = scene_line(scene, kind, seed, index, line) == CYLINT_OK;
-    if (is && coherent)
+    const int is_line = scene_line(scene, kind, seed, index, line) == CYLINT_OK;
+    if (is_line && coherent)
         *line = beside(line, power(-4, -1), 0);
-    return is;
+    return is_line;
 }
 
 /* Single rays, and packets of which all, some or none are active.  The rays of a
