@@ -166,8 +166,8 @@ static inline int cylint_is_zero(const double x[3])
     return !cylint_sign(x[0]) && !cylint_sign(x[1]) && !cylint_sign(x[2]);
 }
 
-/* x - y as a pair, exactly, in every floating-point environment; never -0.  If x - y
- * overflows, lo is 0. */
+/* x - y as a pair, exactly, in every floating-point environment.  hi is never -0.
+ * If x - y overflows, lo is 0. */
 pair cylint_difference_by_bits(double x, double y);
 static inline pair cylint_difference(double x, double y)
 {
