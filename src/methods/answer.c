@@ -115,14 +115,12 @@ void cylint_method_rows(const cylint_shape *shape, double radius,
 
 static frame frame_of(const cylint_shape *shape)
 {
-    frame f = {.rho = 1, .drho = cylint_r1(shape) - 1};
+    const double r0 = cylint_r0(shape), dr = cylint_r1(shape) - r0;
+    frame f = {.rho = r0,
+               .drho =
+                   dr * cylint_radius_unit(shape, length(cylint_axis(shape)))};
 
     cylint_method_rows(shape, 1, f.row);
-    if (!cylint_is_elliptic(shape->kind)) {
-        f.rho = cylint_r0(shape);
-        f.drho = (cylint_r1(shape) - cylint_r0(shape)) *
-                 cylint_radius_unit(shape, length(cylint_axis(shape)));
-    }
     return f;
 }
 
@@ -166,8 +164,6 @@ static void write_hit(const cylint_shape *shape, const cylint_line *line,
                       unsigned want, double t, int part, int side,
                       cylint_hit *hit)
 {
-    const unsigned placed =
-        CYLINT_WANT_NORMAL | CYLINT_WANT_Z | CYLINT_WANT_PHI;
     double point[3], D[3];
 
     if (want & CYLINT_WANT_T)
@@ -176,14 +172,12 @@ static void write_hit(const cylint_shape *shape, const cylint_line *line,
         hit->part = part;
         hit->side = side;
     }
-    if (!(want & (placed | CYLINT_WANT_POINT)))
+    if (!(want & (CYLINT_WANT_POINT | CYLINT_WANT_NORMAL | CYLINT_WANT_Z |
+                  CYLINT_WANT_PHI)))
         return;
     along(line->o, t, line->d, point);
     if (want & CYLINT_WANT_POINT)
-        for (int i = 0; i < 3; i++)
-            hit->point[i] = point[i];
-    if (!(want & placed))
-        return;
+        memcpy(hit->point, point, sizeof point);
 
     const frame f = frame_of(shape);
     minus(point, cylint_base(shape), D);

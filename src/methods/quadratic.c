@@ -97,15 +97,13 @@ static cylint_method_chord linear_chord(const quadric *q, int is_cone)
  * Reduces a double cone's chord to the nappe where rho >= 0.  rho, the signed
  * radius, is positive on one nappe and negative on the other.
  *
- *   gap        the chord has two pieces on opposite nappes: one of them stays
- *   along      the line is a ruling: the part beyond the apex, rho = 0, stays
- *   unbounded  parallel to a ruling: rho at the infinite end decides
- *   bounded    the chord lies on one nappe: rho at its middle decides
+ *   gap    the chord has two pieces on opposite nappes: one of them stays
+ *   along  the line is a ruling: the part beyond the apex, rho = 0, stays
+ *   else   the chord lies on one nappe: rho at its middle, infinite where the
+ *          line is parallel to a ruling, decides
  */
 static void clip_to_nappe(cylint_method_chord *chord, cylint_affine rho)
 {
-    if (chord->relation == CYLINT_RELATION_MISS)
-        return;
     const int ahead = rho.slope > 0; /* the nappe is at t = +inf */
 
     if (chord->gap) {
@@ -113,11 +111,7 @@ static void clip_to_nappe(cylint_method_chord *chord, cylint_affine rho)
         chord->t[ahead ? 0 : 1] = chord->t[ahead ? 1 : 0];
         chord->t[ahead ? 1 : 0] = ahead ? INFINITY : -INFINITY;
     } else if (chord->relation == CYLINT_RELATION_ALONG) {
-        if (rho.slope != 0)
-            chord->t[ahead ? 0 : 1] = -rho.at / rho.slope;
-    } else if (isinf(chord->t[0]) || isinf(chord->t[1])) {
-        if (isinf(chord->t[ahead ? 0 : 1]))
-            chord->relation = CYLINT_RELATION_MISS;
+        chord->t[ahead ? 0 : 1] = -rho.at / rho.slope;
     } else {
         const double middle = 0.5 * chord->t[0] + 0.5 * chord->t[1];
         if (!(rho.at + middle * rho.slope >= 0))
