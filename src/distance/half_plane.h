@@ -72,9 +72,8 @@ typedef struct {
 
 INLINE vfoot foot_of(vd before, vd after, vd M)
 {
-    const vm is_before = v_le(before, -M);
-    return (vfoot){is_before, m_and(v_lt(M, before), v_lt(after, -M)),
-                   m_and_not(v_le(M, after), is_before)};
+    return (vfoot){v_le(before, -M), m_and(v_lt(M, before), v_lt(after, -M)),
+                   v_le(M, after)};
 }
 
 INLINE vd feature_at(vm top, int at_base, int at_top)
@@ -112,8 +111,8 @@ INLINE void find_feature(vnearest *n, const half_plane *m, const vsection *p)
     const vm not_beyond = m_or(v_lt(b, -M), v_lt(M, x));
     const vfoot foot = foot_of(p->before, p->after, M);
     const vm sides = m_or(foot.on, m_or(foot.before, foot.after));
-    const vm cap = m_or(m_and(inside, less), m_and(m_not(inside), beyond));
-    const vm lateral = m_or(inside, m_or(beyond, foot.on));
+    const vm cap = m_or(m_and(inside, less), beyond);
+    const vm lateral = m_or(inside, foot.on);
     n->certain = m_or(m_and(inside, m_not(tie)),
                       m_and(outside, m_or(beyond, m_and(not_beyond, sides))));
     n->feature = v_select(
