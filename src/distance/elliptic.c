@@ -402,7 +402,7 @@ static void search_feature(search *s, int feature)
 static double point_of(const search *s, int i, triple zv, double G_terms,
                        double zv_terms)
 {
-    const int e = s->p.e, far = e + s->p.whole;
+    const int e = s->p.e, far = e + s->p.far;
     const double base = cylint_base(s->p.shape)[i];
     const int of_base = exponent_or_none(base),
               of_G = exponent_or_none(G_terms) + e,
@@ -426,9 +426,8 @@ static void write_elliptic_point(const search *s, int is_on, double to[3])
         best->factor > 0 ? direction_error(&s->form[best->feature], &best->at)
                          : 0;
     ruling r;
-    const triple beside = triple_scaled(best->z, p->far - p->whole),
-                 z = triple_add(beside, p->moved);
-    const double z_terms = fabs(beside.a) + fabs(p->moved.a);
+    const triple z = triple_add(best->z, p->moved);
+    const double z_terms = fabs(best->z.a) + fabs(p->moved.a);
     load_ruling(&r, p->a, p->b, p->g, p->k1, &best->at);
     for (int i = 0; i < 3; i++) {
         const double turned = turn * fabs(r.du[i].a);
@@ -502,6 +501,6 @@ double cylint_below_elliptic(const cylint_shape *shape, const double point[3],
         return 0;
     const double error =
         DISTANCE_ERROR * (1 + p.length); /* a, b and h are below 2 */
-    const double bound = below - cylint_scaled(error, p.e + p.whole);
+    const double bound = below - cylint_scaled(error, p.e + p.far);
     return bound > 0 ? fabs(cylint_next_above(-bound)) : 0; /* no -0 */
 }

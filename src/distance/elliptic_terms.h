@@ -26,9 +26,8 @@ typedef struct {
     const double *point;
     int e, far;
     double near;   /* 2^-far, but at least 2^-MOST_FAR */
-    triple moved;  /* this times g was subtracted from Q; unit 2^(e + whole) */
-    int whole;     /* far, before Q was moved */
-    double length; /* of Q's largest component before that, in that unit */
+    triple moved;  /* this times g was subtracted from Q */
+    double length; /* of Q's largest component before that */
     triple Q[3], a[3], b[3], h[3];
     double stretch;
     triple g[3], k1; /* h and k - 1 times stretch */
@@ -71,17 +70,9 @@ static int exponent_of_shape(const cylint_shape *shape)
                   exponent_of(cylint_axis(shape)));
 }
 
-static void choose_unit(elliptic_terms *p, int most)
+/* Moves an unbounded cylinder along its axis. */
+static void move_along(elliptic_terms *p)
 {
-    p->far = larger(0, most - p->e - MOST_RATIO);
-    p->near = cylint_power_of_two(larger(-MOST_FAR, -p->far));
-}
-
-/* Moves an unbounded cylinder along its axis.  Components of Q along which g is 0
- * keep all their digits. */
-static void move_along(elliptic_terms *p, const triple D[3], int unit)
-{
-    int most = NO_EXPONENT;
     for (int digits = 0; digits < 3; digits++) {
         const double z = triple_value(triple_dot_doubles(p->Q, p->g)) / p->gg.a;
         p->moved = triple_add(p->moved, triple_of(z));
@@ -89,14 +80,6 @@ static void move_along(elliptic_terms *p, const triple D[3], int unit)
             p->Q[i] =
                 triple_sub(p->Q[i], triple_times(triple_of(z), p->g[i].a));
     }
-    for (int i = 0; i < 3; i++)
-        most = larger(most, p->g[i].a == 0
-                                ? exponent_or_none(D[i].a) + unit
-                                : exponent_or_none(p->Q[i].a) + p->e + p->far);
-    choose_unit(p, most);
-    for (int i = 0; i < 3; i++)
-        p->Q[i] = p->g[i].a == 0 ? triple_scaled(D[i], unit - p->e - p->far)
-                                 : triple_scaled(p->Q[i], p->whole - p->far);
 }
 
 static void load_point(elliptic_terms *p)
@@ -112,14 +95,14 @@ static void load_point(elliptic_terms *p)
                                                 cylint_scaled(base[i], -unit)));
         most = larger(most, exponent_or_none(D[i].a) + unit);
     }
-    choose_unit(p, most);
+    p->far = larger(0, most - p->e - MOST_RATIO);
+    p->near = cylint_power_of_two(larger(-MOST_FAR, -p->far));
     for (int i = 0; i < 3; i++)
         p->Q[i] = triple_scaled(D[i], unit - p->e - p->far);
-    p->whole = p->far;
     p->moved = triple_of(0);
     p->length = triple_largest(p->Q);
     if (!cylint_is_bounded(p->shape) && p->k1.a == 0)
-        move_along(p, D, unit);
+        move_along(p);
 }
 
 static void load_elliptic(elliptic_terms *p, const cylint_shape *shape,
