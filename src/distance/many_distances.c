@@ -73,14 +73,12 @@ void cylint_distance_pairs(const cylint_shape *shapes,
  * Whether the surface and the solid of a shape are certainly farther away than
  * `least`, because the ball about the shape is.  For a negative `least`: whether
  * the point is outside the ball.  The slack covers the roundings of both squares,
- * eight at most each.  The square of a `most` below 2^511 does not overflow.
- * 2^-400 covers what underflows.
+ * eight at most each.  The square of a `most` below 2^511 does not overflow; the
+ * ball of an unbounded shape is infinite.  2^-400 covers what underflows.
  */
 static int is_farther(const cylint_shape *s, const double point[3],
                       double least)
 {
-    if (!cylint_is_bounded(s) || !cylint_in_range(s))
-        return 0;
     double center[3];
     const double radius = cylint_ball_about(s, center);
     const double X = point[0] - center[0], Y = point[1] - center[1],
