@@ -80,7 +80,6 @@ ASIDE unsigned answer_on_boundary(const cylint_shape *shape,
             return want;
         if (want & CYLINT_WANT_PART)
             cylint_write_feature(shape, feature, answer);
-        undecided = want;
     }
     answer->distance = 0;
     if (want & CYLINT_WANT_POINT)
