@@ -36,10 +36,6 @@ typedef struct {
 
 enum { DEGREE = 4, MOST_ZEROS = 4, MOST_STEPS = 400, MOST_CORRECTIONS = 40 };
 
-/* A cos or sin below UPRIGHT may be 0; one below TINY counts as 0. */
-#define UPRIGHT 0x1p-100
-#define TINY 0x1p-950
-
 /* Relative to cos and sin; the error is 2^-50 of it. */
 #define LAST_CORRECTION 0x1p-100
 
@@ -198,20 +194,6 @@ static double slope_at(const stationary *f, const direction *at, int in_triples)
                             slope.square[0].a * (c - s) * (c + s);
 }
 
-/* Sets a cos or sin that is nearly 0 to 0 if the form is 0 there, or if products of
- * it underflow. */
-static void put_on_axis(const stationary *f, direction *at)
-{
-    const int small_sin = fabs(at->sin.a) < fabs(at->cos.a);
-    const double small = small_sin ? at->sin.a : at->cos.a,
-                 large = copysign(1, small_sin ? at->cos.a : at->sin.a);
-    const direction exactly = {triple_of(small_sin ? large : 0),
-                               triple_of(small_sin ? 0 : large)};
-    if (fabs(small) < TINY ||
-        (fabs(small) < UPRIGHT && triple_value(form_at(f, &exactly)) == 0))
-        *at = exactly;
-}
-
 /* Corrects a zero by Newton's iteration until the form gets no smaller, or until
  * the error of a correction, which is a double, is below the last place of cos
  * and of sin.  The length grows by half the square of a correction.
@@ -242,7 +224,6 @@ static direction corrected(const stationary *f, direction at, int in_triples)
         at = next;
         form = smaller;
     }
-    put_on_axis(f, &at);
     return at;
 }
 
