@@ -139,14 +139,13 @@ static int is_certain(const vdistance *d)
            fabs(rounded(d->value)) >= CYLINT_DISTANCE_LEAST;
 }
 
-/* The distance in triples, or that in pairs where these do not serve. */
+/* The distance in triples, or that in pairs where these do not serve.  The feature
+ * is certain: else the error in pairs is infinite, and the distance can be 0. */
 ASIDE vdistance distance_in_triples(const vnearest *n, const half_plane *m,
                                     const cylint_shape *s,
                                     const double point[3])
 {
-    /* untaken 1 of 4: the feature is certain in every known case */
-    if (!n->certain ||
-        (cylint_is_round(s->kind) &&
+    if ((cylint_is_round(s->kind) &&
          n->feature >= (double)CYLINT_FEATURE_RIM0) ||
         !(fabs(rounded(n->d.value)) <= CYLINT_CLOSE * m->size) ||
         !(m->size <= CYLINT_CLOSE_MOST))
