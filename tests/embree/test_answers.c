@@ -452,10 +452,11 @@ static void count_offer(const struct RTCFilterFunctionNArguments *args)
     offers++;
 }
 
+static const float unmoved[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
 /* The second of two instances in one place has no nearer hit. */
 TEST(a_hit_on_another_instance_stays_at_equal_t)
 {
-    static const float unmoved[12] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     cylint_shape shapes[SOME];
     world_shapes(SCENE_LATTICE, shapes, SOME);
     EACH_WAY(w, shapes, SOME) {
@@ -480,6 +481,28 @@ TEST(a_hit_on_another_instance_stays_at_equal_t)
         CHECK(hits > 50);
         rtcReleaseScene(one);
         rtcReleaseScene(two);
+    }
+}
+
+/* A ray to a cap at 1 + 2^-60, of which the double is 1.  A ray of an occlusion
+ * query has no hit; the adapter's own, all zeros, is not one on shape 0. */
+TEST(in_instance_0_a_root_beyond_tfar_occludes_nothing)
+{
+    const float o[3] = {0.25f, 0.5f, -1}, d[3] = {0, 0, 1};
+    const cylint_shape shape = shape_of("cylinder 0 0 0x1p-60  0 0 1  1");
+    EACH_WAY(w, &shape, 1) {
+        RTCScene outer = world_instance(w.scene, 0, 1, unmoved);
+        for (int beyond = 0; beyond < 2; beyond++)
+            EACH_SIZE(n) {
+                struct rays r;
+                rays_begin(&r, n);
+                for (int i = 0; i < n; i++)
+                    rays_add(&r, i, o, d, 0, beyond ? 1 : 1 + FLT_EPSILON);
+                rays_occluded(&r, outer, NULL);
+                for (int i = 0; i < n; i++)
+                    CHECK(rays_shadowed(&r, i) == !beyond);
+            }
+        rtcReleaseScene(outer);
     }
 }
 

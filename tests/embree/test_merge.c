@@ -143,6 +143,38 @@ TEST(hits_have_the_numbers_of_the_parts)
     }
 }
 
+/* Whether a hit at 2 on the first ball is completed if this member is changed. */
+static int is_completed(const struct world *w, enum ray_member m, unsigned to)
+{
+    const float o[3] = {0, 0, 0}, d[3] = {1, 0, 0};
+    struct rays r = equal_rays(w->scene, 1, o, d, 0, HUGE_VALF);
+    CHECK(rays_hit(&r, 0) && rays_at(&r, RAY_TFAR, 0)->f == 2);
+    if (m != RAY_MEMBERS)
+        rays_at(&r, m, 0)->u = to;
+    memcpy(r.before, r.word, sizeof r.before);
+    cylint_embree_complete(w->geometry, (void *)r.word);
+    return memcmp(r.word, r.before, sizeof r.word) != 0;
+}
+
+/* Not a ray without a hit, a hit on another geometry, or one of another tfar. */
+TEST(only_hits_on_the_geometry_are_completed)
+{
+    const cylint_embree_options options = {.flags = CYLINT_EMBREE_BARE};
+    const union ray_word changed = {.f = 2.5f};
+    cylint_shape shapes[SHAPES];
+    for (int i = 0; i < SHAPES; i++)
+        shapes[i] = shape_of("sphere 3 0 0  1");
+    parts[0] = (cylint_embree_part){shapes, SHAPES, 5};
+    n_parts = 1;
+    OWN_WORLD w = world_made(shapes, SHAPES, &options);
+    merge(&w, &options);
+    CHECK(is_completed(&w, RAY_MEMBERS, 0));
+    CHECK(!is_completed(&w, HIT_GEOM, RTC_INVALID_GEOMETRY_ID));
+    CHECK(!is_completed(&w, HIT_GEOM, 6));
+    CHECK(!is_completed(&w, HIT_PRIM, SHAPES));
+    CHECK(!is_completed(&w, RAY_TFAR, changed.u));
+}
+
 TEST(parts_whose_numbers_do_not_ascend_are_refused)
 {
     const long long bytes = world_memory.bytes;
