@@ -77,7 +77,7 @@
  * before the entry hit if they lie in different boxes.
  *
  * Packets.  The answers are those to the rays alone, bit for bit.  Embree
- * makes seven exceptions.  In a packet it skips a box unless a ray enters the
+ * makes eight exceptions.  In a packet it skips a box unless a ray enters the
  * box below tfar, and Embree 3 traces packets that are wider than the
  * processor's vectors as streams of rays.
  *   - A ray with tnear = tfar may report a miss.
@@ -92,6 +92,8 @@
  *   - In a query with the flag for coherent rays, where a component of dir is
  *     below 0 and above -1e-18, all rays of the packet may miss what they hit.
  *   - An occlusion query with that flag may write -inf to a tfar below 0.
+ *   - In an occlusion query with that flag whose rays go into several octants a
+ *     filter may get a hit several times.
  *   - On a processor with AVX-512, rtcOccluded16() and streams of occlusion queries
  *     with that flag may never return from Debian's build of Embree 3.13.5 if the
  *     scene has an instance that does not move.  This happens without this library,
