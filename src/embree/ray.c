@@ -261,10 +261,6 @@ static int filters_accept(const ray_test *r)
  * hit is written in its final place, which saves a copy. */
 static int record(ray_test *r)
 {
-    if (r->any && has_flag(r, CYLINT_EMBREE_NO_FILTERS)) {
-        cylint_record_any(r);
-        return 1;
-    }
     const float tfar = r->ray->tfar;
     const struct RTCHit old = *r->hit;
     if (r->q.describes) /* Ng, u and v, the first members of a hit */

@@ -9,11 +9,11 @@
 #include "../bvh/threads.h"
 #include "../intersect.h"
 
-/* The sign of the radii in a record; NaN: the filter does not decide.  Of balls
- * about one centre the filter reads the first. */
+/* The sign of the radii in a record of a bounded shape; NaN: the filter does not
+ * decide.  Of balls about one centre the filter reads the first. */
 static double radii_sign(const cylint_shape *s)
 {
-    if (!cylint_is_bounded(s) || cylint_is_elliptic(s->kind))
+    if (cylint_is_elliptic(s->kind))
         return NAN;
     if (!cylint_is_round(s->kind))
         return 1;
