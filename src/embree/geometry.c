@@ -174,13 +174,12 @@ static int build_bvh(cylint_embree_data *data, const cylint_bvh_input *input,
 {
     const size_t bytes = data->n * sizeof(uint32_t);
     size_t shape = 0;
-    if (data->n > 0 &&
-        !cylint_memory_allocate(&data->order_memory, &data->source,
+    if (!cylint_memory_allocate(&data->order_memory, &data->source,
                                 data->is_merged ? 3 * bytes : 2 * bytes))
         return report(problem, CYLINT_EMBREE_EMEMORY, 0);
     const cylint_bvh_status status = cylint_bvh_build_near(
         &data->bvh, input, data->order_memory.data, &shape, &data->box);
-    if (status == CYLINT_BVH_OK && data->n > 0)
+    if (status == CYLINT_BVH_OK)
         rank_by_leaves(data);
     return report(problem,
                   status == CYLINT_BVH_OK       ? CYLINT_EMBREE_OK
@@ -214,7 +213,7 @@ static int compute_state(cylint_embree_data *data,
     if (status == CYLINT_EMBREE_OK)
         status = data->traversal ? build_bvh(data, &from, problem)
                                  : check_shapes(data, problem);
-    if (status != CYLINT_EMBREE_OK || data->n == 0)
+    if (status != CYLINT_EMBREE_OK)
         return status;
     int has_memory = cylint_embree_shapes_copy(&data->shapes[0], &from);
     from.view = &moved;
