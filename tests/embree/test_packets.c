@@ -118,6 +118,22 @@ TEST(a_domain_of_one_point_is_answered_or_skipped)
     CHECK(hits > 2000);
 }
 
+/* Rays from within a cylinder, past its axis.  Every second one ends inside. */
+TEST(rays_that_end_inside_a_shape_are_not_occluded_beside_others)
+{
+    const cylint_shape shape = shape_of("cylinder 0 0 -4  0 0 4  2");
+    const float o[3] = {-1, 0.25f, 0.5f}, d[3] = {1, 0, 0};
+    OWN_WORLD w = world_with(&shape, 1, CYLINT_EMBREE_NO_FILTERS);
+    EACH_SIZE(n) {
+        struct rays r;
+        rays_begin(&r, n);
+        for (int i = 0; i < n; i++)
+            rays_add(&r, i, o, d, 0, i % 2 ? 2 : HUGE_VALF);
+        rays_occluded(&r, w.scene, NULL);
+        check_shadows_of(&w, &r);
+    }
+}
+
 TEST(of_hits_at_tnear_the_lower_number_is_reported)
 {
     cylint_shape shapes[64];
