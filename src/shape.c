@@ -16,8 +16,8 @@ const char *cylint_strerror(int status)
         [CYLINT_EAXIS] = "the axis or normal has no length",
         [CYLINT_EDEGENERATE] = "the vectors a, b, h are linearly dependent",
         [CYLINT_ERADIUS] = "a radius is negative, or all radii are zero",
-        [CYLINT_EANGLE] = "the half angle is not between 0 and 90 degrees, "
-                          "or its tangent is 0",
+        [CYLINT_EANGLE] = ("the half angle is not between 0 and 90 degrees, "
+                           "or its tangent is 0"),
         [CYLINT_EENDS] = "this kind of shape has no such ends",
         [CYLINT_EDIRECTION] = "the direction has no length",
         [CYLINT_EDOMAIN] = "the domain is empty or not a number",
