@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "check.h"
+#include "cylint_distance.h"
 #include "cylint_scene.h"
 #include "piece_world.h"
 #include "scene_file.h"
@@ -308,11 +309,35 @@ static void make_one_solid(int clause[SHAPES])
     }
 }
 
+/* The safety of a point in the solid: of its members.  0: one lacks a cap. */
+static double least_safety(const double point[3])
+{
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < world.n; i++) {
+        const int ends = world.shape[i].ends;
+        const int is_whole = ends == CYLINT_ENDS_CAPPED ||
+                             ends == CYLINT_ENDS_INFINITE ||
+                             ends == CYLINT_ENDS_NAPPE;
+        least =
+            fmin(least, is_whole ? cylint_safety(&world.shape[i], point) : 0);
+    }
+    return least;
+}
+
+/* Whether t is an end of the line or at least so far from its origin, except for
+ * the rounding of t and of the length. */
+static int is_beyond(double t, const cylint_line *of, double safety)
+{
+    const double length = fabs(t) * cylint_line_length(of);
+    return t == of->tmin || t == of->tmax ||
+           !(length < safety * (1 - 0x1p-50) - 0x1p-1070);
+}
+
 TEST(pieces_of_one_solid_are_those_of_a_loop)
 {
     static cylint_piece expected[MOST];
     static const size_t capacities[] = {1, 2, 3, CYLINT_SOLID_PIECES};
-    long found = 0;
+    long found = 0, safe = 0;
     stream = 8;
     for (int i = 0; i < 50000; i++) {
         int clause[SHAPES];
@@ -322,6 +347,7 @@ TEST(pieces_of_one_solid_are_those_of_a_loop)
         const cylint_piece_rule chords = {.mode = CYLINT_PIECES_CHORDS};
         const size_t n = expected_pieces(&chords, expected),
                      most = capacities[one_of(4)];
+        const double safety = least_safety(of.o);
         size_t m = 0;
         int more;
         do {
@@ -330,14 +356,17 @@ TEST(pieces_of_one_solid_are_those_of_a_loop)
                                        most);
             for (int j = 0; j < more; j++, m++)
                 CHECK(m < n && got[j].t0 == expected[m].t0 &&
-                      got[j].t1 == expected[m].t1);
+                      got[j].t1 == expected[m].t1 &&
+                      is_beyond(got[j].t0, &of, safety) &&
+                      is_beyond(got[j].t1, &of, safety));
             if (more > 0)
                 of.tmin = got[more - 1].t1;
         } while (more == (int)most);
         CHECK(m == n);
         found += (long)m;
+        safe += safety > 0 && m > 0;
     }
-    CHECK(found > 10000);
+    CHECK(found > 10000 && safe > 1000);
 }
 
 TEST(bad_members_of_one_solid_are_refused)
