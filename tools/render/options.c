@@ -186,13 +186,13 @@ static int settle(struct options *o, char **argv, int files)
     if (v->has_from && v->from.v[0] == 0 && v->from.v[1] == 0 &&
         !is_given(o, "up"))
         v->up = vector(0, 1, 0);
-    if (files != 1)
-        return usage("expected one scene, found %d", files);
-    o->scene = argv[0];
     if (!o->output) {
         return usage(
             "no output file: use -o FILE, or -o - for standard output");
     }
+    if (files != 1)
+        return usage("expected one scene, found %d", files);
+    o->scene = argv[0];
     if (v->has_target && !v->has_eye)
         return usage("--look-at needs --eye");
     if (o->has_xray && surface_option(o))
