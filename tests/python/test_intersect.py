@@ -45,8 +45,9 @@ def test_a_segment_has_no_directions_and_no_domain():
     for wrong in ({}, {"directions": [0, 0, 1], "to": [0, 0, 1]}):
         with refused("either directions or to", TypeError):
             cylint.intersect(ROD, o, **wrong)
-    with refused("tmin and tmax need directions", TypeError):
-        cylint.intersect(ROD, o, to=[0, 0, 1], tmax=1)
+    for domain in ({"tmin": 0.5}, {"tmax": 1}):
+        with refused("tmin and tmax need directions", TypeError):
+            cylint.intersect(ROD, o, to=[0, 0, 1], **domain)
     with refused("line 1: the direction has no length"):
         cylint.intersect(ROD, [o, [0, 0, 1]], to=[0, 0, 1])
     with refused("expected Shapes, found int", TypeError):

@@ -131,6 +131,7 @@ def test_numbers_that_are_left_out_broadcast_and_are_checked():
     assert near.point[..., 2].tolist() == [[1], [5], [1]]
     assert scene.all(*UNIT, exclude=[[-1], [0], [1]]).line.tolist() == [0, 0, 1, 2]
     assert scene.count(*UNIT, exclude=[-1, 0]).tolist() == [2, 1]
+    assert scene.count(*UNIT, exclude=np.uint64([0])).tolist() == [1]
     assert scene.any([0, 0, 0], to=[0, 0, 4], exclude=[-1, 0, 1]).tolist() == [1, 0, 1]
     near = scene.nearest([0, 0, 0], to=[0, 0, 9], exclude=near.index)
     assert near.index.tolist() == [[1], [0], [1]]
