@@ -369,6 +369,8 @@ INLINE hit end_on_cap(const questions *q, int top, int end)
     const vd rise = plane - q->z0, out = top ? at.z - plane : plane - at.z;
     at.is = m_and(v_lt(out, -margin), v_lt(eps(16) * q->U * q->per_W, dz));
     at.uncertain = m_not(m_or(at.is, v_lt(margin, out)));
+    if (!m_any(at.is))
+        return at;
     const vd per_dz = one / where_or_one(at.is, dz);
     at.z = plane;
     at.z_error = zero;
