@@ -417,6 +417,29 @@ TEST(many_pieces_of_a_line_are_all_those_that_are_wanted)
     }
 }
 
+/* Needles about one axis: a line along it is found in each of their slices. */
+TEST(a_shape_of_many_slices_has_each_chord_once)
+{
+    enum { NEEDLES = 99 };
+    static cylint_shape shape[NEEDLES];
+    static cylint_interval memory[99 * NEEDLES];
+    cylint_workspace work = {memory, sizeof memory, 0};
+    cylint_piece piece[NEEDLES + 1];
+    cylint_line line;
+    for (int i = 0; i < NEEDLES; i++)
+        cylint_cylinder(&shape[i], (double[]){0, 0, 0},
+                        (double[]){1 + i, 1 + i, 1 + i}, 1e-5,
+                        CYLINT_ENDS_CAPPED);
+    cylint_ray(&line, (double[]){-1, -1, -1}, (double[]){1, 1, 1});
+    OWN_SCENE *scene = cylint_scene_new(shape, NEEDLES, 1, NULL);
+    for (int mode = CYLINT_PIECES_OWNER; mode <= CYLINT_PIECES_CHORDS; mode++) {
+        const cylint_piece_rule rule = {.mode = (cylint_piece_mode)mode};
+        CHECK(cylint_scene_pieces(scene, &line, &rule, piece, NEEDLES + 1,
+                                  &work) == NEEDLES);
+        CHECK(mode != CYLINT_PIECES_CELLS || piece[0].depth == NEEDLES);
+    }
+}
+
 /* Of a row of discs that touch, and then of a ball about all of them.  A search of
  * the whole line would find more chords than the workspace holds. */
 TEST(the_first_pieces_are_found_in_a_part_of_the_line)
