@@ -81,6 +81,36 @@ TEST(a_scene_frees_all_memory)
     }
 }
 
+/* A refused shape is not added; those before stay, and it can be added then. */
+static cylint_scene_status add_one_by_one(void *self)
+{
+    const struct scene_shapes *of = self;
+    cylint_scene_status status = CYLINT_SCENE_OK;
+    cylint_scene *scene = cylint_scene_begin(0);
+    if (!scene)
+        return CYLINT_SCENE_EMEMORY;
+    for (size_t i = 0; i < of->n;) {
+        if (cylint_scene_add(scene, &of->shapes[i], 1) == CYLINT_SCENE_OK)
+            i++;
+        else
+            status = CYLINT_SCENE_EMEMORY;
+        CHECK(cylint_scene_size(scene) == i);
+    }
+    for (size_t i = 0; i < of->n; i++) {
+        cylint_shape stored;
+        cylint_scene_shape(scene, i, &stored);
+        CHECK(stored.kind == of->shapes[i].kind);
+    }
+    cylint_scene_free(scene);
+    return status;
+}
+
+TEST(a_scene_that_grows_frees_all_memory)
+{
+    OWN_SHAPES of = scene_generate(SCENE_MIXED, SHAPES, 5);
+    CHECK(refuse_each(add_one_by_one, &of) > 10);
+}
+
 static int stop_at_last(void *context, double part)
 {
     int *calls = context;
