@@ -480,7 +480,7 @@ TEST(damaged_records_and_boxes_are_refused)
           CYLINT_SCENE_EDAMAGED);
 }
 
-enum { TAGS = 1, BOUNDED = 5, OTHERS, LABEL_ENDS, LABEL_TEXT, SOLIDS };
+enum { RECORDS, TAGS, BOUNDED = 5, OTHERS, LABEL_ENDS, LABEL_TEXT, SOLIDS };
 
 /* By one element, in the last block of the section. */
 TEST(a_longer_or_shorter_section_is_refused)
@@ -526,6 +526,41 @@ TEST(damaged_numbers_of_shapes_and_members_are_refused)
                        CYLINT_SCENE_EDAMAGED))
             REPORT("section %u, number %u", of[i][0], of[i][1]);
     }
+}
+
+/* Of one shape that was refused: a record less, and a shape more beside the
+ * hierarchy; the end of its label behind the file, and a text of nearly 2^64
+ * bytes. */
+TEST(sections_of_other_sizes_with_the_same_sum_are_refused)
+{
+    enum { BLOCK = 64 };
+    static const int section[][2] = {{RECORDS, OTHERS},
+                                     {LABEL_TEXT, LABEL_ENDS}};
+    static const uint64_t size[][2] = {{0, 4}, {0 - (uint64_t)BLOCK, 8}};
+    OWN_BYTES b = {NULL, NULL, 0};
+    cylint_shape shape;
+    cylint_sphere(&shape, (double[]){0, 0, 0}, -1, CYLINT_ENDS_CAPPED);
+    OWN_SCENE *scene = cylint_scene_new(&shape, 1, 1, NULL);
+    for (int i = 0; i < 2; i++) {
+        scene_file_write(scene, &b);
+        memcpy(b.data + b.n, &size[1][0], sizeof size[1][0]);
+        for (int k = 0; k < 2; k++)
+            scene_file_sizes(&b)[section[i][k]] = size[i][k];
+        scene_file_repair(b.data, b.n);
+        CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EDAMAGED);
+    }
+}
+
+/* Shape 3 is in the hierarchy already. */
+TEST(a_shape_is_not_in_both_lists)
+{
+    static const uint32_t others[] = {3, 4, 5};
+    OWN_BYTES b = {NULL, NULL, 0};
+    write_small(&b);
+    memcpy(scene_file_section(&b, OTHERS), others, sizeof others);
+    scene_file_sizes(&b)[OTHERS] = sizeof others;
+    scene_file_repair(b.data, b.n);
+    CHECK(scene_file_try(b.data, b.n) == CYLINT_SCENE_EDAMAGED);
 }
 
 /* Of one shape that was refused, without nodes, or of one in the hierarchy. */
