@@ -267,6 +267,7 @@ TEST(a_few_distant_shapes_are_beside_the_hierarchy)
     const size_t bytes = bytes_with(shapes, 0, 0);
     CHECK(bytes_with(shapes, 4, 1e3) < bytes + 200);
     CHECK(bytes_with(shapes, 4, 1e4) > bytes + 4 * 400);
+    CHECK(bytes_with(shapes, 4, -1e4) > bytes + 4 * 400);
     CHECK(bytes_with(shapes, 5, 1e9) < bytes + 200);
 }
 

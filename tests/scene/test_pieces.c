@@ -398,7 +398,7 @@ TEST(many_pieces_of_a_line_are_all_those_that_are_wanted)
 {
     enum { BALLS = 700 };
     static cylint_shape ball[BALLS];
-    static const size_t most[] = {0, 255, 256, 257, 600, BALLS + 1};
+    static const size_t most[] = {0, 255, 256, 257, 600, BALLS + 1, SIZE_MAX};
     const double o[3] = {-1, 0, 0}, d[3] = {1, 0, 0};
     const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
     const cylint_lines lines = {
@@ -535,6 +535,27 @@ TEST(sums_are_the_nearest_doubles_for_all_threads)
 }
 #endif
 
+/* A line that touches the largest of some balls, then one through the centre of
+ * all: the memory for the first suffices to find its chords, but not to sort its
+ * cells. */
+TEST(sums_of_more_cells_than_chords_have_room)
+{
+    enum { BALLS = 330 };
+    static cylint_shape ball[BALLS];
+    const double far[] = {-999, -999}, zero[] = {0, 0}, z[] = {BALLS, 0},
+                 one[] = {1, 1};
+    const cylint_lines lines = {
+        2, {far, zero, z}, {one, zero, zero}, NULL, NULL};
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_CELLS};
+    double sum[2];
+    for (int i = 0; i < BALLS; i++)
+        cylint_sphere(&ball[i], (double[]){0, 0, 0}, 1 + i, CYLINT_ENDS_CAPPED);
+    OWN_SCENE *scene = cylint_scene_new(ball, BALLS, 1, NULL);
+    CHECK(cylint_scene_sums(scene, &lines, &rule, NULL, 1, 0, 1, sum) ==
+          CYLINT_SCENE_OK);
+    CHECK(sum[0] == 0 && sum[1] == 2 * BALLS);
+}
+
 /* A piece whose t is subnormal, one whose length is, and a rounded product. */
 TEST(a_sum_in_units_is_the_same_in_every_environment)
 {
@@ -559,22 +580,24 @@ TEST(a_sum_in_units_is_the_same_in_every_environment)
     }
 }
 
-/* Of a piece from minus infinity, whose end near the largest double does not make
- * the sum finite; and of one to infinity, whose product with a length that the
- * thread reads as 0 would be NaN. */
+/* Of pieces from minus infinity and to infinity, whose other end near the largest
+ * double does not make the sum finite; and of one whose product with a length that
+ * the thread reads as 0 would be NaN. */
 TEST(a_sum_without_end_is_infinite_where_the_length_is_read_as_zero)
 {
     static const char *const records[] = {
         "line 0 0 0x1.8p23  0 0 0x1p-1000  halfspace 0 0 0  0 0 1",
+        "line 0 0 -0x1.8p23  0 0 0x1p-1000  halfspace 0 0 0  0 0 -1",
         "ray 0 0 0  0 0 0x1p-1074  cylinder 0 0 0  0 0 1  1 ends=infinite"};
     const cylint_piece_rule rule = {.mode = CYLINT_PIECES_UNION};
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 3; i++) {
         const struct family_case c = case_of(records[i]);
+        const int in_units = i == 2;
         double sum = 0;
         OWN_SCENE *scene = cylint_scene_new(&c.shape, 1, 1, NULL);
-        treat_subnormals(i ? FLUSH | ZERO : 0);
-        CHECK(cylint_scene_line_sums(scene, &c.line, &rule, NULL, 1, i, &sum) ==
-              CYLINT_SCENE_OK);
+        treat_subnormals(in_units ? FLUSH | ZERO : 0);
+        CHECK(cylint_scene_line_sums(scene, &c.line, &rule, NULL, 1, in_units,
+                                     &sum) == CYLINT_SCENE_OK);
         treat_subnormals(0);
         CHECK(sum == HUGE_VAL);
     }
