@@ -252,6 +252,28 @@ TEST(chords_take_so_many_bytes_and_half_spaces_of_a_solid_once)
           BALLS);
 }
 
+/* Each solid is what lies outside a ball; the line hits none. */
+TEST(a_complement_in_an_unbounded_solid_takes_64_bytes)
+{
+    enum { BALLS = 100 };
+    static unsigned char memory[64 * BALLS + 8];
+    cylint_workspace work = {memory, sizeof memory, 0};
+    cylint_member members[BALLS];
+    cylint_shape shape[BALLS];
+    cylint_piece piece[BALLS];
+    const cylint_piece_rule rule = {.mode = CYLINT_PIECES_CHORDS};
+    const cylint_line past = case_of("line 0 9 0  1 0 0  sphere 0 0 0 1").line;
+    for (int i = 0; i < BALLS; i++) {
+        MUST(cylint_sphere(&shape[i], (double[]){i, 0, 0}, 0.25,
+                           CYLINT_ENDS_CAPPED) == CYLINT_OK);
+        members[i] = (cylint_member){(size_t)i, (size_t)i, -1};
+    }
+    OWN_SCENE *scene = cylint_scene_new(shape, BALLS, 1, NULL);
+    MUST(cylint_scene_set_solids(scene, members, BALLS) == CYLINT_SCENE_OK);
+    CHECK(cylint_scene_pieces(scene, &past, &rule, piece, BALLS, &work) ==
+          BALLS);
+}
+
 /* Each solid is a rod, cut by a half-space of its own, by one that all have in
  * common, and by one large ball: these take no memory where the line hits no rod of
  * their solid. */
