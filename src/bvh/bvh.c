@@ -327,7 +327,6 @@ void cylint_bvh_free(cylint_bvh *bvh)
 {
     cylint_memory_free(&bvh->node_memory);
     cylint_memory_free(&bvh->leaf_memory);
-    memset(bvh, 0, sizeof *bvh);
 }
 
 const cylint_traversal *cylint_traversal_used(void)

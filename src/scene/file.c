@@ -448,7 +448,6 @@ static int sizes_fit(const file_header *h, size_t bytes)
            elements_of(h, OTHERS) <= h->n - h->n_bounded &&
            elements_of(h, SOLIDS) <= CYLINT_SCENE_MOST_SHAPES &&
            (h->n_bounded > 0) == (h->bytes[NODES] > 0) &&
-           (h->n_bounded > 0) == (h->bytes[LEAVES] > 0) &&
            (ends == h->n || ends == 0);
 }
 

@@ -52,7 +52,7 @@ int cylint_add_pieces(const cylint_scene *scene, const cylint_line *line,
                      wanted = most > 0 && most < room ? most : room;
         const size_t n = cylint_scene_pieces(scene, line, rule, m->piece + m->n,
                                              wanted, &m->work);
-        if (n != CYLINT_NO_ROOM && (n < room || n == most)) {
+        if (n != CYLINT_NO_ROOM && n < room) {
             m->n += n;
             return 1;
         }
@@ -217,7 +217,7 @@ static int label_pieces(const pieces_query *q, cylint_piece_memory *m)
         const int label = q->label ? q->label[m->piece[i].shape] : 0;
         m->piece[n] = m->piece[i];
         m->piece[n].shape = (size_t)label;
-        n += label >= 0 && (size_t)label < q->labels;
+        n += (size_t)label < q->labels; /* not if it is negative */
     }
     m->n = n;
     if (m->work.wanted > m->work.bytes && !cylint_grow_workspace(&m->work))

@@ -18,7 +18,6 @@ typedef struct {
     cylint_hit hit;
     cylint_shape *shape; /* a copy of it is stored here, if not NULL */
     double distance;
-    int flags;
 } least_shape;
 
 static double keep_least(void *context, const cylint_found *x)
@@ -33,10 +32,7 @@ static double keep_least(void *context, const cylint_found *x)
         q->hit = *x->hit;
     if (q->shape)
         *q->shape = *x->shape;
-    if (x->closest) {
-        q->distance = x->closest->distance;
-        q->flags = x->closest->flags;
-    }
+    q->distance = x->distance;
     return q->least;
 }
 
@@ -242,7 +238,7 @@ size_t cylint_scene_closest(const cylint_scene *scene, const double point[3],
         cylint_distance(&shape, point, want, answer);
     } else {
         answer->distance = q.distance;
-        answer->flags = q.flags;
+        answer->flags = 0; /* point and shape are valid */
     }
     return number;
 }
@@ -294,8 +290,7 @@ static double call(void *self, const cylint_found *x)
 {
     const caller *c = self;
     return c->hit ? c->hit(c->context, x->number, x->hit)
-                  : c->near(c->context, x->number, x->closest->distance,
-                            x->closest->flags);
+                  : c->near(c->context, x->number, x->distance, 0);
 }
 
 void cylint_scene_visit(const cylint_scene *scene, const cylint_line *line,

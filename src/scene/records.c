@@ -59,7 +59,6 @@ void cylint_records_free(cylint_records *r)
     free(r->record);
     free(r->tag);
     free(r->semi_axes);
-    *r = (cylint_records){.n = 0};
 }
 
 size_t cylint_records_bytes(const cylint_records *r)
@@ -97,8 +96,7 @@ int cylint_records_add(cylint_records *r, const cylint_shape *shapes, size_t n)
     size_t elliptic = r->n_elliptic;
     for (size_t i = 0; i < n; i++)
         elliptic += (size_t)cylint_is_elliptic(shapes[i].kind);
-    if (n > SIZE_MAX - r->n ||
-        (r->n + n > r->capacity &&
+    if ((r->n + n > r->capacity &&
          !resize_shapes(r, grown(r->capacity, r->n + n))) ||
         (elliptic > r->elliptic_capacity &&
          !resize_elliptic(r, grown(r->elliptic_capacity, elliptic))))

@@ -40,8 +40,7 @@ static int allocate_solids(cylint_solids *s, const cylint_scene *scene)
 {
     divide_memory(s, scene);
     s->memory = calloc(1, s->bytes);
-    if (s->memory)
-        divide_memory(s, scene);
+    divide_memory(s, scene);
     return s->memory != NULL;
 }
 

@@ -169,7 +169,7 @@ ASIDE void test_left(tested_shapes *s, void *visit, const int *stopped,
     s->left = left;
     s->first_left = 0;
     s->in_bits = 0;
-    while (s->has_left && !*stopped) {
+    while (s->has_left) {
         s->has_left = 0;
         s->n_left = 0;
         if (s->in_bits)
@@ -256,7 +256,7 @@ static int line_hits(const line_visit *v, size_t number, cylint_shape *shape,
 static void shorten_line(line_visit *v, double t)
 {
     v->stopped = t != t;
-    if (v->stopped || !cylint_less(t, v->last))
+    if (!cylint_less(t, v->last))
         return;
     v->last = t;
     v->line.tmax = cylint_next_above(t);
@@ -485,7 +485,7 @@ typedef struct {
 /* More than the error of cylint_distance(). */
 #define SLACK (1 + 0x1p-40)
 
-/* Stops the visit if no shape can be within the radius. */
+/* Stops the visit if the radius is NaN. */
 static void set_point_radius(point_visit *v, double radius)
 {
     const double outside = cylint_larger(radius, 0);
@@ -493,36 +493,35 @@ static void set_point_radius(point_visit *v, double radius)
     v->reach =
         (outside * SLACK + DBL_MIN) * v->scene->frame.view.scale * SLACK +
         0x1p-400;
-    v->stopped =
-        v->nearness == CYLINT_NEAR_SURFACE ? !(radius >= 0) : radius != radius;
+    v->stopped = radius != radius;
 }
 
 /* The distance that is compared. */
-static double compared(const point_visit *v, const cylint_closest *answer)
+static double compared(const point_visit *v, double distance)
 {
-    return v->nearness == CYLINT_NEAR_SURFACE ? fabs(answer->distance)
-                                              : answer->distance;
+    return v->nearness == CYLINT_NEAR_SURFACE ? fabs(distance) : distance;
 }
 
 /* Makes the shape, or its closed solid, and returns whether its surface or solid is
- * at most v->radius away.  Writes distance and flags.  cylint_contains() takes less
- * time than the distance, and decides about shapes that must hold the point. */
+ * at most v->radius away.  Writes the distance.  cylint_contains() takes less time
+ * than the distance, and decides about shapes that must hold the point. */
 static int point_is_near(const point_visit *v, size_t number,
-                         cylint_shape *shape, cylint_closest *answer)
+                         cylint_shape *shape, double *distance)
 {
     const int is_of_solid = v->nearness != CYLINT_NEAR_SURFACE;
+    cylint_closest answer;
     cylint_record_shape(&v->scene->records, number, shape);
     if (is_of_solid)
         shape->ends = cylint_closed_ends(shape->ends);
-    answer->distance = answer->flags = 0;
+    *distance = 0;
     if (is_of_solid && cylint_sign(v->radius) <= 0 &&
         cylint_contains(shape, v->point) < 0)
         return 0;
     if (v->nearness >= CYLINT_HOLDING)
         return 1;
-    answer->part = 0; /* written only if there is no surface */
-    cylint_distance(shape, v->point, 0, answer);
-    return answer->part >= 0 && !cylint_less(v->radius, compared(v, answer));
+    answer.part = 0; /* written only if there is no surface */
+    *distance = cylint_distance(shape, v->point, 0, &answer);
+    return answer.part >= 0 && !cylint_less(v->radius, compared(v, *distance));
 }
 
 /* Returns whether the shape is near. */
@@ -530,12 +529,12 @@ static int test_point_at(void *self, size_t number)
 {
     point_visit *v = self;
     cylint_shape shape;
-    cylint_closest answer;
-    if (!point_is_near(v, number, &shape, &answer))
+    double distance;
+    if (!point_is_near(v, number, &shape, &distance))
         return 0;
     const cylint_found found = {.number = number,
-                                .at = compared(v, &answer),
-                                .closest = &answer,
+                                .at = compared(v, distance),
+                                .distance = distance,
                                 .shape = &shape};
     const double radius = v->callback(v->context, &found);
     if (!(radius >= v->radius))

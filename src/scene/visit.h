@@ -17,8 +17,8 @@ typedef struct cylint_found {
     const cylint_hit *hit;     /* of a line; NULL if no member is wanted */
     const cylint_shape *shape; /* of a line: if a member is wanted; of a point:
                                   with closed ends if its solid counts */
-    const cylint_closest *closest; /* of a point: distance and flags */
-    cylint_interval chord;         /* of a line, in a visit of chords */
+    double distance;           /* of a point, as cylint_distance() returns it */
+    cylint_interval chord;     /* of a line, in a visit of chords */
 } cylint_found;
 
 /* Returns what a cylint_scene_hit or a cylint_scene_near does: HUGE_VAL changes
