@@ -573,7 +573,7 @@ static void traverse_points(void *self)
         return;
     for (int j = 0; j < 3; j++)
         x[j] = (v->point[j] - s->frame.view.center[j]) * s->frame.view.scale;
-    if (cylint_rounds_to_nearest() && cylint_largest(x) <= CYLINT_POINT_MOST) {
+    if (cylint_largest(x) <= CYLINT_POINT_MOST) {
         s->traversal->point(&s->bvh, x, &v->reach, test_point_leaf, v);
         return;
     }
