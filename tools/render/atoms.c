@@ -44,7 +44,7 @@ static int read_atom(struct string label, struct atom *atom)
         atom->field[atom->fields++] = between(begin, p);
         begin = p + 1;
     }
-    return atom->fields >= 4 && atom->field[3].length > 0;
+    return atom->field[3].length > 0;
 }
 
 /* The element, or the first letter of the atom's name. */
