@@ -212,6 +212,8 @@ static inline unsigned cylint_plane_members(const cylint_shape *s,
         hit->phi = 0;
     if ((undecided & CYLINT_WANT_NORMAL) && cylint_plane_normal(s, hit->normal))
         undecided &= ~(unsigned)CYLINT_WANT_NORMAL;
+    /* untaken 1 of 4: of a hit that pairs decided, and along the normal, the slope
+     * is far from 0 */
     if ((undecided & CYLINT_WANT_POINT) &&
         cylint_line_to_plane(s, line, &slope, &t)) {
         int is_certain = 1;
