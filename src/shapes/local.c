@@ -148,13 +148,10 @@ static pair measure_angle(cylint_shape *s, const inverse_lengths *inverse,
     if (cylint_is_tapered(s->kind) && !cylint_is_elliptic(s->kind)) {
         const pair dr = cylint_radius_growth(s);
         if (s->kind == CYLINT_KIND_RCONE) {
-            const double lateral2 = inverse->lateral2.hi;
             sine = slope;
-            if (lateral2 > 0) {
-                cosine = cosine_of_hull(inverse);
-                slope = pair_mul(dr, inverse->lateral);
-            }
-            *error /= lateral2 > 0 ? cosine.hi * cosine.hi : 0;
+            cosine = cosine_of_hull(inverse);
+            slope = pair_mul(dr, inverse->lateral);
+            *error /= cosine.hi * cosine.hi;
         } else if (s->kind == CYLINT_KIND_CONE) {
             cosine = pair_mul(height, inverse->lateral);
             sine = pair_mul(dr, inverse->lateral);
@@ -225,16 +222,14 @@ void CYLINT_MEASURE_LOCAL(cylint_shape *s)
     x[CYLINT_AT_UNIT] = s->kind == CYLINT_KIND_RCONE
                             ? CYLINT_LOCAL_ROUND * CYLINT_ROUNDING
                             : CYLINT_ROUNDING;
-    const int round = cylint_is_round(s->kind);
     const int accurate =
         cylint_in_range(s) && vectors_are_long_enough(s) && is_in_bounds(s) &&
         cylint_rounds_to_nearest() &&
         /* untaken 1 of 4: vectors that are long enough have a height */
         (height.hi > 0 || s->kind == CYLINT_KIND_SPHERE) &&
         error <= CYLINT_LOCAL_WORST &&
-        (!round || fabs(cylint_sine(s)) <= CYLINT_LOCAL_STEEPEST);
+        (!cylint_is_round(s->kind) ||
+         fabs(cylint_sine(s)) <= CYLINT_LOCAL_STEEPEST);
     s->library.flag[CYLINT_AT_PREPARED] =
         accurate ? cylint_solid(s->kind, s->ends) : CYLINT_SOLID_NONE;
-    if (round && !accurate)
-        x[CYLINT_AT_HEIGHT] = 0;
 }

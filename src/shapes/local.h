@@ -21,8 +21,7 @@
  * both balls makes an angle with the axis whose sine is (r1 - r0) / height.  It
  * touches ball i on a circle of radius cosine r_i in the plane that lies sine r_i
  * below the ball's centre.  Its slope is sine / cosine.  So the part between the
- * planes is a cone, z counted from the plane of circle 0.  If the coordinates
- * are not accurate, the height is 0.
+ * planes is a cone, z counted from the plane of circle 0.
  *
  * A sphere has the matrix 1.
  */
@@ -44,8 +43,8 @@ static inline int cylint_is_long_enough(const double x[3])
 }
 
 /* Writes the local coordinates (layout.h) and whether they are accurate.  Where
- * they are not, they mean nothing, but the height of a round shape is 0.  _fma: for
- * processors with AVX2 and a fused multiply-add. */
+ * they are not, they mean nothing.  _fma: for processors with AVX2 and a fused
+ * multiply-add. */
 void cylint_measure_local_plain(cylint_shape *shape);
 void cylint_measure_local_fma(cylint_shape *shape);
 
