@@ -98,9 +98,8 @@ INLINE vd coordinate_error(const local_hit *h, const vd size[3], int row, vd v,
                     v_abs(v) * h->error);
 }
 
-/* axial: with z. */
 INLINE local_hit hit_at(const source *from, const pair_line *in,
-                        const hit_root *r, int axial, int solid)
+                        const hit_root *r, int solid)
 {
     const vpair vx = pairs_of_two(in->v, 0), vy = pairs_of_two(in->v, 1);
     const vd scale = v_set(CYLINT_MEMBER_SCALE);
@@ -121,12 +120,8 @@ INLINE local_hit hit_at(const source *from, const pair_line *in,
                           coordinate_error(&h, size, 0, vx.hi, solid)};
     h.y = (bounded_pairs){at_root(pairs_of_two(in->p, 1), vy, r),
                           coordinate_error(&h, size, 1, vy.hi, solid)};
-    h.z = zero_pairs();
-    if (axial || cylint_solid_is_tapered(solid) ||
-        cylint_solid_is_round(solid)) {
-        h.z = (bounded_pairs){at_root(pairs_of_end(in->z, 0), in->w, r),
-                              coordinate_error(&h, size, 2, in->w.hi, solid)};
-    }
+    h.z = (bounded_pairs){at_root(pairs_of_end(in->z, 0), in->w, r),
+                          coordinate_error(&h, size, 2, in->w.hi, solid)};
     h.rho = (bounded_pairs){in->rho, v_set(0)};
     if (cylint_solid_is_tapered(solid)) {
         const vd slope = v_abs(number_at(from, CYLINT_AT_SLOPE));
@@ -318,8 +313,8 @@ INLINE bounded_pairs plane_component(const local_hit *h, const source *from,
     return negated_where(m_not(r->top), up);
 }
 
-/* The vector n of length 1, in the lanes. */
-INLINE void normalise(bounded_pairs n[3], vd unit, vm lanes)
+/* The vector n of length 1. */
+INLINE void normalise(bounded_pairs n[3], vd unit)
 {
     vpair square = {v_set(0), v_set(0)};
     vd error = v_set(0);
@@ -331,7 +326,7 @@ INLINE void normalise(bounded_pairs n[3], vd unit, vm lanes)
     const vpair by = vpair_inverse_root(square);
     const vd relative = v_sum_of(error, by.hi, unit);
     EACH(i, 3)
-        n[i] = choose_pairs(lanes, product(n[i], by, relative), n[i]);
+        n[i] = product(n[i], by, relative);
 }
 
 INLINE void normal_of(bounded_pairs n[3], const local_hit *h,
@@ -354,7 +349,7 @@ INLINE void normal_of(bounded_pairs n[3], const local_hit *h,
             n[i] =
                 choose_pairs(r->on_end, plane_component(h, from, r, i), n[i]);
     if (m_any(skew))
-        normalise(n, h->unit, skew);
+        normalise(n, h->unit);
 }
 
 /* z from the base over the height. */
@@ -419,15 +414,12 @@ INLINE vm lies_on_axis(const local_hit *h, const source *from,
 INLINE vm phi_of(vd *to, const local_hit *h, const source *from,
                  const hit_root *r)
 {
-    vm certain = rounds(angle_of(h, from), CYLINT_MEMBER_TIE, to);
+    const vm certain = rounds(angle_of(h, from), CYLINT_MEMBER_TIE, to);
+    const vm on_axis = lies_on_axis(h, from, r);
     *to =
         v_select(v_lt(*to, v_set(1)), *to, v_set(1 - CYLINT_NEAREST_ROUNDING));
-    if (m_any(m_not(certain))) {
-        const vm on_axis = m_and_not(lies_on_axis(h, from, r), certain);
-        *to = v_select(on_axis, v_set(0), *to);
-        certain = m_or(certain, on_axis);
-    }
-    return certain;
+    *to = v_select(on_axis, v_set(0), *to);
+    return m_or(certain, on_axis);
 }
 
 INLINE unsigned of_member(unsigned i, vm certain)
@@ -468,8 +460,7 @@ INLINE void members_at(cylint_hit_lanes *to, const source *from,
     to->certain = certain;
     if (!local)
         return;
-    const local_hit h =
-        hit_at(from, in, r, (local & CYLINT_WANT_Z) != 0, solid);
+    const local_hit h = hit_at(from, in, r, solid);
     if (local & CYLINT_WANT_NORMAL) {
         normal_of(x, &h, from, r, solid);
         certain |= of_member(

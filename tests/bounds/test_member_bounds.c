@@ -144,7 +144,7 @@ static void judge_members(const source *from, const pair_line *in,
                           const hit_root *r, int solid)
 {
     const int ball = solid == CYLINT_SOLID_SPHERE;
-    const local_hit h = hit_at(from, in, r, 1, solid);
+    const local_hit h = hit_at(from, in, r, solid);
     bounded_pairs x[3];
     judge_pairs(&X, 0, &h.x, the.at[0]);
     judge_pairs(&Y, 1, &h.y, the.at[1]);
