@@ -27,9 +27,7 @@ static int has_tiny_numbers(const source *from)
 INLINE vm precise_lanes(const hit_root *r, const pair_line *in, double D,
                         int solid)
 {
-    vd rho = in->rho.hi;
-    if (cylint_solid_is_tapered(solid))
-        rho = v_sum_of(r->t, in->growth.hi, rho);
+    const vd rho = v_sum_of(r->t, in->growth.hi, in->rho.hi);
     const vm precise =
         v_le(v_set(D) * r->error, v_set(CYLINT_MEMBER_LIKELY) * v_abs(rho));
     return cylint_solid_is_round(solid) ? precise : m_or(precise, r->on_end);
@@ -39,14 +37,15 @@ INLINE vm precise_lanes(const hit_root *r, const pair_line *in, double D,
  * The root by a step of Newton's from t + tail.  Let f be the residual there, 2 s
  * its slope, c half its curvature, and x the distance of the root, which is at most
  * the error before.  Then x = -(f + c x^2) / (2 s).  With the errors f' and s' the
- * error after the step is at most (f' + (2 s' + c x) x) / (2 s).
+ * error after the step is at most (f' + (2 s' + c x) x) / (2 s).  Roots on discs
+ * stay as they are: their lanes are precise.
  */
 ASIDE hit_root nearer_root(const hit_root *r, const source *from,
                            const pair_line *in, double D, int solid)
 {
     const vd none = v_set(0), unit = v_set(CYLINT_MEMBER_UNIT);
     const hit_root here = {r->t, r->tail, none, r->on_end, r->top};
-    const local_hit h = hit_at(from, in, &here, 1, solid);
+    const local_hit h = hit_at(from, in, &here, solid);
     const vm on_end = on_ball(r, solid);
     const vd R = v_select(on_end, ball_radius(r, from, solid), none);
     const bounded_pairs up = from_center(&h, r, from, solid);
@@ -67,13 +66,7 @@ ASIDE hit_root nearer_root(const hit_root *r, const source *from,
         s_error = v_sum_of(
             most, v_sum_of(v_set(8 * CYLINT_ROUNDING), size, off), s_error);
     }
-    vd c = v_set(3) * most * most;
-    if (cylint_solid_has_discs(solid)) {
-        f = choose_pairs(on_end, up, f);
-        s = v_select(on_end, v_set(0.5) * in->w.hi, s);
-        s_error = v_select(on_end, v_set(CYLINT_ROUNDING) * most, s_error);
-        c = v_select(on_end, none, c);
-    }
+    const vd c = v_set(3) * most * most;
     const vd inverse = v_set(0.5) / s;
     const vd step = rounded(f.v) * inverse;
     const vd moved = v_sum_of(v_sum_of(c, r->error, v_set(2) * s_error),
@@ -82,7 +75,9 @@ ASIDE hit_root nearer_root(const hit_root *r, const source *from,
         v_set(CYLINT_SLACK) *
         v_sum_of(v_abs(inverse), moved,
                  v_set(2 * CYLINT_ROUNDING) * (v_abs(step) + v_abs(r->tail)));
-    const vm nearer = v_lt(error, r->error);
+    vm nearer = v_lt(error, r->error);
+    if (cylint_solid_has_discs(solid))
+        nearer = m_and_not(nearer, r->on_end);
     return (hit_root){r->t, v_select(nearer, r->tail - step, r->tail),
                       v_select(nearer, error, r->error), r->on_end, r->top};
 }
@@ -105,12 +100,11 @@ ASIDE void describe_roots(cylint_question *q, const pair_line *in,
 {
     const source from = {q->shape, q->line};
     const int solid = cylint_prepared(q->shape);
-    const unsigned lanes = n == 2 ? 3 : 1u << lane;
     cylint_hit_lanes m;
     hit_root r;
-    if (lanes & ~m_bits(precise_lanes(at, in, q->D, solid))) {
+    if (m_any(m_not(precise_lanes(at, in, q->D, solid)))) {
         r = nearer_root(at, &from, in, q->D, solid);
-        if (lanes & ~m_bits(precise_lanes(&r, in, q->D, solid)))
+        if (m_any(m_not(precise_lanes(&r, in, q->D, solid))))
             r = nearer_root(&r, &from, in, q->D, solid);
         at = &r;
     }
