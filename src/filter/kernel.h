@@ -202,49 +202,49 @@ INLINE void judge_balls(verdict *v, const local_line *l, const vm rises[ENDS])
     EACH(k, ENDS) {
         const signs in_ball = signs_of(v->ball.g[k].v, v->ball.g[k].e);
         v->chord[k] = m_and(there[k], in_ball.positive);
-        outside[k] = m_or(m_not(there[k]), in_ball.negative);
+        outside[k] = in_ball.negative;
     }
     v->misses = m_and(v->misses, both_ends(outside));
     v->crosses = m_or(v->crosses, either_end(v->chord));
 }
 
 /* Whether the quadric stays positive from plane k to the other one, where it is
- * positive at both, as along a line parallel to the axis.  If it is not convex, it
- * is least at a plane.  Else it falls from -E / w^2 at the plane by at most inward
- * / w^2 times the height, which is at most l->Q, before it rises to the other
- * plane.  The test takes twice that: the bound of E is right only where E is near
- * 0; elsewhere the error of E is less than half of E. */
+ * positive at both: it rises from there, or hardly falls, as along a line parallel
+ * to the axis.  If it is not convex, it is least at a plane.  Else it falls from -E
+ * / w^2 at the plane by at most inward / w^2 times the height, which is at most
+ * l->Q, before it rises to the other plane.  The test takes twice that: the bound
+ * of E is right only where E is near 0; elsewhere the error of E is less than half
+ * of E. */
 INLINE vm stays_outside(const local_line *l, vd E, vd inward)
 {
     /* mutant '2' -> '3', '-' -> '': slower, pairs decide */
     return v_lt(v_set(2) * l->Q * inward, -E);
 }
 
-/* By the signs of E, of N inward and of G (roots/overlap.c).  Certain of plane k:
- * outside: the line crosses it outside the disc; falls: from there the quadric
- * falls towards the other plane; rises: it rises, or stays positive. */
+/* By the signs of E, of N inward and of G (roots/overlap.c), which the caller has
+ * tested: it is not below 0.  Certain of plane k: outside: the line crosses it
+ * outside the disc; falls: from there the quadric falls towards the other plane;
+ * rises: it stays positive. */
 INLINE void judge_between_planes(verdict *v, const forms *f,
                                  const local_line *l, int solid)
 {
     /* of round solids the larger radius is that of a circle, or more */
     const vd eE = disc_error(l, CYLINT_LOCAL_FORM, l->widest);
     const vd eN = cubic_error(l);
-    const signs G = signs_of(v->G.v, v->G.e);
     vm outside[ENDS], falls[ENDS], rises[ENDS], sided[ENDS];
     EACH(k, ENDS) {
         const vd inward = f->N[k] * ends_of(v_set(-1), v_set(1), k);
-        const signs E = signs_of(f->E[k], eE), N = signs_of(inward, eN);
+        const signs E = signs_of(f->E[k], eE);
         v->pierced[k] = E.positive;
         outside[k] = E.negative;
         sided[k] = m_or(E.positive, E.negative);
-        falls[k] = N.positive;
-        rises[k] =
-            m_or(N.negative, stays_outside(l, f->E[k] + eE, inward + eN));
+        falls[k] = v_lt(eN, inward);
+        rises[k] = stays_outside(l, f->E[k] + eE, inward + eN);
     }
     v->sided = both_ends(sided);
-    v->misses = m_or(m_and(both_ends(outside), either_end(rises)), G.negative);
-    v->crosses =
-        m_or(either_end(v->pierced), m_and(both_ends(falls), G.positive));
+    v->misses = m_and(both_ends(outside), either_end(rises));
+    v->crosses = m_or(either_end(v->pierced),
+                      m_and(both_ends(falls), v_lt(v->G.e, v->G.v)));
     if (cylint_solid_is_hull(solid))
         judge_balls(v, l, rises);
 }
@@ -342,7 +342,8 @@ INLINE vd near_limit(vd limit)
 /*
  * A point outside lies before the overlap if a point of the chord lies ahead.  Of
  * a double cone with A < 0 the overlap is taken for the part of the line between
- * the roots, which is outside the solid.  Of a nappe it is a half-line then.
+ * the roots, which is outside the solid.  Of a nappe it is a half-line then, and
+ * callers ignore the end that does not exist.
  */
 INLINE place place_of(const point_signs *at, const verdict *v, vd limit,
                       int solid)
@@ -362,26 +363,25 @@ INLINE place place_of(const point_signs *at, const verdict *v, vd limit,
         const vm leaves = m_of_end(v->exists, 1);
         inside = m_and(inside, at->rho.positive);
         outside = m_or(outside, at->rho.negative);
-        past.positive = m_and(leaves, m_or(past.positive, m_not(enters)));
-        past.negative = m_and(enters, m_or(past.negative, m_not(leaves)));
+        past.positive = m_or(past.positive, m_not(enters));
+        past.negative = m_or(past.negative, m_not(leaves));
     } else if (cylint_solid_has_planes(solid)) {
         const vm below0 = at->above[0].negative, above1 = at->above[1].positive;
         inside =
             m_and(inside, m_and(at->above[0].positive, at->above[1].negative));
         if (cylint_solid_is_hull(solid)) {
-            const vm between = m_not(m_or(below0, above1));
-            outside = m_or(m_or(m_and(below0, at->ball[0].positive),
-                                m_and(above1, at->ball[1].positive)),
-                           m_and(between, outside));
+            outside = m_or(outside, m_or(m_and(below0, at->ball[0].positive),
+                                         m_and(above1, at->ball[1].positive)));
             inside =
                 m_or(inside, m_or(at->ball[0].negative, at->ball[1].negative));
         } else {
             outside = m_or(outside, m_or(below0, above1));
         }
     }
-    return (place){m_or(m_and(m_and(outside, past.negative), is_near), below),
+    outside = m_and(outside, is_near);
+    return (place){m_or(m_and(outside, past.negative), below),
                    m_and(inside, is_near),
-                   m_or(m_and(m_and(outside, past.positive), is_near), above)};
+                   m_or(m_and(outside, past.positive), above)};
 }
 
 /* A line in the plane of an end is nowhere beyond the planes. */
@@ -470,30 +470,6 @@ INLINE void set_point_signs(point_signs *at, const local_line *l,
                 slope_signs(v->ball.A, bounded_of_end(v->ball.B, i), t);
     at->past = past_chord(at, v, of_ball, slope_signs(v->A, v->B, t),
                           v_lt(l->in.w, v_set(0)), solid);
-}
-
-/* Whether part of the overlap of a line that crosses certainly lies ahead of its
- * origin. */
-INLINE vm is_ahead(const local_line *l, const verdict *v, int solid)
-{
-    const vd eZ = v_set(2 * CYLINT_LOCAL_POSITION) * l->unit * l->Q * l->D;
-    vm ahead = v_lt(v->B.v, -v->B.e), cap[ENDS], plane[ENDS];
-    if (solid == CYLINT_SOLID_DOUBLE_CONE)
-        ahead = m_and(ahead, v_lt(v_set(0), v->A.v));
-    if (!cylint_solid_has_planes(solid))
-        return ahead;
-    EACH(k, ENDS) {
-        plane[k] = v->pierced[k];
-        cap[k] = m_and(v->pierced[k], v_lt(l->z[k] * l->in.w, -eZ));
-        if (cylint_solid_is_hull(solid))
-            plane[k] = m_or(plane[k], v->chord[k]);
-    }
-    if (cylint_solid_is_hull(solid) && m_any(either_end(v->chord)))
-        EACH(k, ENDS) {
-            const bounded_value B = v->ball.B[k];
-            cap[k] = m_or(cap[k], m_and(v->chord[k], v_lt(B.v, -B.e)));
-        }
-    return m_or(either_end(cap), m_and_not(ahead, either_end(plane)));
 }
 
 /* ------------------------------------------------------------ points ---- */

@@ -107,6 +107,26 @@ INLINE int ignores_parts(const cylint_question *q, int solid)
            !(q->want & CYLINT_WANT_PART);
 }
 
+/* Whether part of the overlap of a line that crosses certainly lies ahead of its
+ * origin. */
+INLINE vm is_ahead(const local_line *l, const verdict *v, int solid)
+{
+    const vd eZ = v_set(2 * CYLINT_LOCAL_POSITION) * l->unit * l->Q * l->D;
+    vm ahead = v_lt(v->B.v, -v->B.e);
+    if (solid == CYLINT_SOLID_DOUBLE_CONE)
+        ahead = m_and(ahead, v_lt(v_set(0), v->A.v));
+    if (!cylint_solid_has_planes(solid))
+        return ahead;
+    vm on_end = v->pierced[0],
+       cap = m_and(on_end, v_lt(l->z[0] * l->in.w, -eZ));
+    if (cylint_solid_is_hull(solid) && m_any(v->chord[0])) {
+        const bounded_value B = v->ball.B[0];
+        cap = m_or(cap, m_and(v->chord[0], v_lt(B.v, -B.e)));
+        on_end = m_or(on_end, v->chord[0]);
+    }
+    return m_or(either_end(&cap), m_and_not(ahead, either_end(&on_end)));
+}
+
 INLINE int leave_undecided(cylint_question *q, cylint_refinement next)
 {
     q->next = next;
