@@ -22,8 +22,8 @@ typedef enum {
     CYLINT_REFINE_LINE,  /* the signs of the line are uncertain */
     CYLINT_REFINE_ENDS,  /* only signs at an end of the domain are: `ends`,
                             `exists`, `past`, `rises` and A are set */
-    CYLINT_REFINE_ROOTS, /* only roots' nearest doubles are: `ends` and t[] to
-                            error[] are set */
+    CYLINT_REFINE_ROOTS, /* only roots' nearest doubles are: `ends` and slope[]
+                            to error[] are set */
     CYLINT_REFINE_NONE   /* no other stage of the filter serves */
 } cylint_refinement;
 
@@ -54,8 +54,7 @@ typedef struct {
     /* no local coordinate of the line's origin exceeds Q, none of its direction
      * exceeds D */
     double Q, D;
-    double t[2], slope[2], slope_error[2], curvature[2];
-    double value[2], tail[2], error[2];
+    double slope[2], slope_error[2], curvature[2], value[2], tail[2], error[2];
     /* If members beside t are wanted: their hits, and of each hit the members
      * that are not certain. */
     cylint_hit *described;

@@ -134,8 +134,7 @@ INLINE vq_levels vector_from_center(const double center[3],
     const vq T = q_set(t);
     vq_levels F = {from.hi, from.lo, q_set(0)};
     q_add_product_to_a(&F, T, q_load(line->d));
-    if (line->segment)
-        q_add_product_to_b(&F, T, q_load(line->d_lo));
+    q_add_product_to_b(&F, T, q_load(line->d_lo));
     return F;
 }
 

@@ -155,7 +155,7 @@ INLINE int answer_by_signs(const local_line *l, const verdict *v,
     if (n != CYLINT_UNDECIDED)
         return n;
     q->ends = bits;
-    q->exists = cylint_solid_is_bounded(solid) ? 3 : m_bits(v->exists[0]);
+    q->exists = m_bits(v->exists[0]);
     q->past[0] = m_bits(at.past.positive);
     q->past[1] = m_bits(at.past.negative);
     q->A = v_first(v->A.v);
@@ -189,7 +189,6 @@ INLINE int answer_by_roots(const local_line *l, verdict *v, const pair_line *in,
     if (!ends_needed(h, bits, q->want))
         return write_hits(m_bits(h.hit), bits, &r, in, q, solid);
     q->ends = bits;
-    v_store(q->t, at.t);
     v_store(q->slope, at.slope);
     v_store(q->slope_error, at.slope_error);
     v_store(q->curvature, at.curvature);

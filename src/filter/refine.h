@@ -423,15 +423,14 @@ INLINE int refine_ends(cylint_question *q, int solid)
 }
 
 /* A root of 0, or a second step, with residuals in levels for the ends that are
- * needed.  It begins at the root of the first or, if the first may have led so far
- * that the slope differs there, at the estimate. */
+ * needed.  The first step may have led so far that the slope differs there: then
+ * the second one is not certain. */
 static int refine_roots(cylint_question *q)
 {
     const cylint_shape *shape = q->shape;
     const int solid = cylint_prepared(shape);
     const cylint_end_bits bits = q->ends;
-    const estimate at = {.t = v_load(q->t),
-                         .slope = v_load(q->slope),
+    const estimate at = {.slope = v_load(q->slope),
                          .slope_error = v_load(q->slope_error),
                          .curvature = v_load(q->curvature)};
     const root zero = exact_root(v_set(0), v_set(0));
@@ -451,11 +450,10 @@ static int refine_roots(cylint_question *q)
     unsigned needed = ends_needed(h, bits, q->want);
     if (!needed)
         return write_hits(m_bits(h.hit), bits, &r, &in, q, solid);
-    const vd off = (r.error + v_abs(r.tail)) * at.curvature;
-    const vd start = v_select(
-        v_le(off, v_set(CYLINT_LOCAL_NEAR) * v_abs(at.slope)), r.value, at.t);
+    const vm is_near = v_le((r.error + v_abs(r.tail)) * at.curvature,
+                            v_set(CYLINT_LOCAL_NEAR) * v_abs(at.slope));
     double t[2], residual[2] = {0, 0};
-    v_store(t, start);
+    v_store(t, r.value);
     /* nearly always one of them: no branch depends on which */
     for (unsigned ends = needed; ends; ends &= ends - 1) {
         const int i = (int)(ends >> 1 & ~ends);
@@ -463,10 +461,10 @@ static int refine_roots(cylint_question *q)
                                          (int)(q->ends.top >> i & 1),
                                          (int)(q->ends.on_end >> i & 1));
     }
-    const bounded_value level = bounded_levels(v_load(residual), start, &l,
+    const bounded_value level = bounded_levels(v_load(residual), r.value, &l,
                                                m_from(q->ends.on_end), solid);
-    const root better = step_from(start, level, &at);
-    r = root_if(m_from(needed), &better, &r);
+    const root better = step_from(r.value, level, &at);
+    r = root_if(m_and(m_from(needed), is_near), &better, &r);
     h = exact_hits(&r, &l, present);
     needed = ends_needed(h, bits, q->want);
     if (needed) {

@@ -244,9 +244,9 @@
  * slope, so t is nearer to r than to the other root, and |t - r| is at most
  * CYLINT_LOCAL_DISTANCE |Q(t) / (2 s)|.  Proved.  CYLINT_LOCAL_SLACK covers the
  * terms of second order in the error of Newton's step.  CYLINT_LOCAL_NEWTON is
- * proved and is smaller.  A second step begins where the first ended if A times
- * the distance from the root is at most CYLINT_LOCAL_NEAR of the slope: then
- * the error of A t + B is at most 1/16 s.
+ * proved and is smaller.  A second step begins where the first ended.  It serves if
+ * A times the distance from the root is at most CYLINT_LOCAL_NEAR of the slope:
+ * then the error of A t + B is at most 1/16 s.
  */
 #define CYLINT_LOCAL_RESIDUAL 16
 #define CYLINT_LOCAL_UNTRIMMED 0x1p-50
