@@ -183,7 +183,6 @@ CYLINT_INLINE void nearest_of_lane(const cylint_filter_group *g, int lane,
     const int swapped = (int)(g->leaving_first >> lane & 1);
     a->relation = CYLINT_RELATION_CROSS;
     a->n = (int)(g->hit[first] >> lane & 1);
-    /* untaken 1 of 2: where relations are not wanted, a lane is found by its hit */
     if (a->n > 0) {
         a->hit[0].t = g->t[first][lane];
         a->hit[0].part = (int)g->part[first][lane];

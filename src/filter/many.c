@@ -390,10 +390,10 @@ INLINE vm find_roots(group_questions *x, const local_line *l, verdict *v,
         const root r =
             step_from(at.t, residual_at(&in, l, at.t, &end_k, solid), &at);
         const vm present = is_present(l, v, &end_k, k, solid);
-        const vm unbounded = m_and_not(present, at.is_near);
-        const hits h = hits_of_roots(&r, l, m_and(present, at.is_near));
+        const hits h = hits_of_roots(&r, l, present);
         store_hits(g, k, &end_k, h.hit);
-        undecided = m_or(undecided, m_or(h.undecided, unbounded));
+        undecided =
+            m_or(undecided, m_or(h.undecided, m_and_not(present, at.is_near)));
         v_store(g->t[k], r.value);
         if (want & CYLINT_WANT_BESIDE_T && m_any(h.hit)) {
             const hit_root hit = {r.value, r.tail, r.error, end_k.on_end,
@@ -516,8 +516,7 @@ INLINE void answer_lanes(group_questions *x, int solid, cylint_filter_group *g)
     g->leaving_first = solid == CYLINT_SOLID_DOUBLE_CONE
                            ? m_bits(is_backward(&l, &v, solid))
                            : 0;
-    g->found =
-        g->undecided | (x->from->relations ? sure : g->hit[0] | g->hit[1]);
+    g->found = g->undecided | sure;
 }
 
 #define KERNEL(name, solid)                                             \
