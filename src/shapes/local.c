@@ -152,12 +152,9 @@ static pair measure_angle(cylint_shape *s, const inverse_lengths *inverse,
             cosine = cosine_of_hull(inverse);
             slope = pair_mul(dr, inverse->lateral);
             *error /= cosine.hi * cosine.hi;
-        } else if (s->kind == CYLINT_KIND_CONE) {
+        } else { /* the height of an acone is 1 */
             cosine = pair_mul(height, inverse->lateral);
             sine = pair_mul(dr, inverse->lateral);
-        } else {
-            cosine = fast_two_sum(inverse->lateral.hi, inverse->lateral.lo);
-            sine = pair_mul(dr, cosine);
         }
     }
     store_pair(s, CYLINT_AT_COSINE, cosine);

@@ -10,10 +10,9 @@
 /* Infinite or DBL_MAX if the axis overflows. */
 static double largest_length(const cylint_shape *s)
 {
-    double most = cylint_axis_size(s);
-    if (cylint_is_elliptic(s->kind))
-        most = cylint_larger(most, cylint_larger(cylint_largest(cylint_a(s)),
-                                                 cylint_largest(cylint_b(s))));
+    double most = cylint_larger(cylint_axis_size(s),
+                                cylint_larger(cylint_largest(cylint_a(s)),
+                                              cylint_largest(cylint_b(s))));
     /* mutant '!' -> '': slower, exact arithmetic decides where a radius or its
      * factor is out of range */
     if (!cylint_has_factors(s->kind))
@@ -86,7 +85,7 @@ int cylint_is_in_window(const cylint_shape *s)
     return within_window(largest_length(s)) &&
            /* mutant '<=' -> '<': slower, exact arithmetic decides at
             * the window's end */
-           (!cylint_has_factors(s->kind) || cylint_r1(s) <= CYLINT_WINDOW);
+           cylint_r1(s) <= CYLINT_WINDOW;
 }
 
 void cylint_ball_of(cylint_shape *ball, const cylint_shape *s, int end)
