@@ -145,7 +145,7 @@ static void fill_columns(const batch_job *job, size_t i, const cylint_answer *a)
     }
 }
 
-/* Uses an answer that is no miss.  Returns 1 when no more are wanted. */
+/* Uses an answer.  Returns 1 when no more are wanted. */
 CYLINT_INLINE int use_answer(batch_job *job, size_t number,
                              const cylint_answer *a)
 {
@@ -172,7 +172,7 @@ static int answer_alone(batch_job *job, const cylint_shape *shape,
         return 0;
     cylint_intersect(shape, job->line ? job->line : &own,
                      job->want | CYLINT_WANT_PART, &a);
-    return a.relation == CYLINT_RELATION_MISS ? 0 : use_answer(job, number, &a);
+    return use_answer(job, number, &a);
 }
 
 /* The nearest hit in a lane that the filter decided. */
