@@ -37,13 +37,12 @@ static bounded_pair negative(bounded_pair x)
 }
 
 /* R = sqrt(S G), with an infinite error unless S, or its root, and G are certainly
- * positive: the determinant of an elliptic shape can be all error. */
+ * not 0, and so positive: the determinant of an elliptic shape can be all error. */
 static bounded_pair radical_of(cylint_query *q)
 {
     const bounded_pair G = form_in_pairs(q, FORM_G, 0);
     const bounded_pair S = form_in_pairs(q, FORM_ROOT_OF_S, 0);
-    /* mutant '>' -> '<': slower, the next stage decides */
-    if (!(G.v.hi > 0 && relative_error(G) < CYLINT_FIRST_ORDER && S.v.hi > 0 &&
+    if (!(relative_error(G) < CYLINT_FIRST_ORDER &&
           relative_error(S) < CYLINT_FIRST_ORDER))
         return (bounded_pair){G.v, HUGE_VAL};
     /* without a square, S G may have underflowed */
