@@ -213,10 +213,8 @@ INLINE void settle_at_origin(point_signs *at, unsigned lane, int up,
         settle(&at->above[i], lane, up, q, i);
         const signs plane =
             q->ends.back ? reversed(at->above[i]) : at->above[i];
-        const vm uncertain = m_not(m_or(at->past.positive, at->past.negative));
-        const vm set =
-            m_and(m_from(q->ends.on_end >> i & 1 ? lane : 0), uncertain);
-        at->past = signs_if(set, plane, at->past);
+        const vm pierced = m_from(q->ends.on_end >> i & 1 ? lane : 0);
+        at->past = signs_if(pierced, plane, at->past);
     }
 }
 

@@ -137,8 +137,7 @@ INLINE vpair plane_coordinate(const source *from, int i, vm top, vm *is_fixed)
     const int j = CYLINT_AT_COLUMNS + 3 * ((i + 1) % 3) + 2,
               k = CYLINT_AT_COLUMNS + 3 * ((i + 2) % 3) + 2;
     const vd turned = v_abs(number_at(from, j)) + v_abs(number_at(from, k));
-    const vm other = m_or(top, fact_of(from, FACT_ELLIPTIC));
-    *is_fixed = m_and_not(v_eq(turned, v_set(0)), other);
+    *is_fixed = m_and_not(v_eq(turned, v_set(0)), top);
     return (vpair){number_at(from, CYLINT_AT_BASE + i), v_set(0)};
 }
 
