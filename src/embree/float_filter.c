@@ -34,11 +34,14 @@ INLINE cylint_float_filter_result accept_hit(double t, double e, double z,
     if ((double)above > tmax) /* t may be less where both are subnormal */
         return t > tmax ? CYLINT_FLOAT_FILTER_MISS
                         : CYLINT_FLOAT_FILTER_UNDECIDED;
-    const int index = cylint_slice_at(z - z_error, of->slice.count);
-    if (index != cylint_slice_at(z + z_error, of->slice.count))
-        return CYLINT_FLOAT_FILTER_UNDECIDED;
-    if (index != of->slice.index)
-        return CYLINT_FLOAT_FILTER_MISS;
+    const int count = of->slice.count;
+    if (count > 1) {
+        const int index = cylint_slice_at(z - z_error, count);
+        if (index != cylint_slice_at(z + z_error, count))
+            return CYLINT_FLOAT_FILTER_UNDECIDED;
+        if (index != of->slice.index)
+            return CYLINT_FLOAT_FILTER_MISS;
+    }
     return (double)above < tmax || on_ball ? CYLINT_FLOAT_FILTER_HIT
                                            : CYLINT_FLOAT_FILTER_UNDECIDED;
 }
