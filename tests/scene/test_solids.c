@@ -14,6 +14,7 @@
 #include "cylint_scene.h"
 #include "piece_world.h"
 #include "scene_file.h"
+#include "shapes/shape_facts.h"
 
 enum { FEW = 12 };
 
@@ -336,12 +337,10 @@ static double least_safety(const double point[3])
 {
     double least = HUGE_VAL;
     for (size_t i = 0; i < world.n; i++) {
-        const int ends = world.shape[i].ends;
-        const int is_whole = ends == CYLINT_ENDS_CAPPED ||
-                             ends == CYLINT_ENDS_INFINITE ||
-                             ends == CYLINT_ENDS_NAPPE;
-        least =
-            fmin(least, is_whole ? cylint_safety(&world.shape[i], point) : 0);
+        const cylint_shape *shape = &world.shape[i];
+        least = fmin(least, cylint_surface_is_whole(shape->ends)
+                                ? cylint_safety(shape, point)
+                                : 0);
     }
     return least;
 }
