@@ -217,7 +217,7 @@ static int label_pieces(const pieces_query *q, cylint_piece_memory *m)
         const int label = q->label ? q->label[m->piece[i].shape] : 0;
         m->piece[n] = m->piece[i];
         m->piece[n].shape = (size_t)label;
-        n += (size_t)label < q->labels; /* not if it is negative */
+        n += label >= 0 && (size_t)label < q->labels;
     }
     m->n = n;
     if (m->work.wanted > m->work.bytes && !cylint_grow_workspace(&m->work))
